@@ -1,0 +1,567 @@
+#include "commands/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string_view>
+
+#include "numbers/vectors.hpp"
+#include "records/scene.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "viewproj/geodesy.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr double kPi = std::numbers::pi, kRadian = kPi / 180;
+
+double along(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double lengthOf(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
+double apart(const Vec3& a, const Vec3& b) { return lengthOf(sum(a, -1, b)); }
+
+/// Level axes at the eye, from which azimuths grow from `ahead` to `aside`, and up.
+struct EyeAxes {
+  Vec3 aside, ahead, up;
+
+  Vec3 level(double azimuth) const { return sum(sum({}, std::sin(azimuth), aside), std::cos(azimuth), ahead); }
+  double azimuthOf(const Vec3& d) const { return std::atan2(along(d, aside), along(d, ahead)); }
+};
+
+/// The surface of a height. Its formulas are those of curves on the ellipsoid: a and b its semi-axes, e its
+/// eccentricity, M and N its radii of curvature along and across the meridian.
+class HeightGround final : public Ground {
+ public:
+  HeightGround(double height, const Vec3& eye) : height_(height), eye_(eye), foot_(ecefToGeodetic(eye)) {
+    if (std::fabs(foot_.height - height) < kLeastRise)
+      throw InputError("the eye is on the surface of height " + formatNumber(height) + "; no outline has a size there");
+    isAbove_ = foot_.height > height;
+    // What a camera on the ground stands on does not hide; below the ellipsoid the ground is lower too.
+    hiding_ = isAbove_ ? height : std::min(0.0, foot_.height - 1);
+    const double lat = foot_.lat * kRadian, lon = foot_.lon * kRadian;
+    const double sp = std::sin(lat), cp = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
+    axes_ = {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
+  }
+
+  std::optional<double> hit(const Ray& ray) const override {
+    const HeightCrossings found = crossingsOfHeight(ray, height_);
+    if (found.count == 0 || (!isAbove_ && crossingsOfHeight(ray, hiding_).count > 0)) return std::nullopt;
+    return found.distances[0];
+  }
+
+  std::optional<Limit> farthest(double azimuth, double most) const override {
+    if (std::fabs(foot_.height - height_) > most) return std::nullopt;
+    const auto [elevation, touching] = horizon(azimuth);
+    const Vec3 d = direction(azimuth, elevation);
+    double t = touching;
+    if (!isAbove_) {
+      const HeightCrossings out = crossingsOfHeight({eye_, d}, height_);
+      t = out.count > 0 ? out.distances[0] : 0;
+    }
+    if (t <= most) return Limit{sum(eye_, t, d), "horizon"};
+    return Limit{sum(eye_, most, direction(azimuth, elevationAt(azimuth, most))), "distance"};
+  }
+
+  double azimuthOf(const Vec3& d) const override { return axes_.azimuthOf(d); }
+  double turning() const override { return isAbove_ ? 1 : -1; }
+  Vec2 placeOf(const Vec3& point) const override {
+    const Geodetic place = ecefToGeodetic(point);
+    return {place.lon, place.lat};
+  }
+  Vec2 way(const Vec2& from, const Vec2& to) const override {
+    return {std::remainder(to.x - from.x, 360), to.y - from.y};
+  }
+  Vec2 scaleAt(const Vec2& place) const override {
+    const double s = std::sin(place.y * kRadian), w2 = 1 - kE2 * s * s, n = kA / std::sqrt(w2);
+    return {kRadian * (n + height_) * std::cos(place.y * kRadian), kRadian * (n * (1 - kE2) / w2 + height_)};
+  }
+  double areaBelow(const Vec2& place) const override { return kRadian * (belowLat(place.y) - belowLat(foot_.lat)); }
+  double areaOf(double sum, double turn) const override {
+    if (std::fabs(turn) < 180) return std::fabs(sum);
+    const double pole = belowLat(std::copysign(90, foot_.lat)) - belowLat(foot_.lat);
+    return std::fabs(pole * kRadian * turn - sum);
+  }
+
+ private:
+  static constexpr double kA = kWgs84.equatorial, kB = kWgs84.polar, kE2 = 1 - (kB / kA) * (kB / kA);
+  static constexpr double kLeastRise = 1e-6;  ///< metres
+  static constexpr int kSteps = 50;
+
+  /// The integral of (M + H)(N + H) cos lat from the equator.
+  double belowLat(double lat) const {
+    const double s = std::sin(lat * kRadian), w2 = 1 - kE2 * s * s, e = std::sqrt(kE2);
+    return kB * kB / 2 * (s / w2 + std::atanh(e * s) / e) +
+           height_ * (kA * std::asin(e * s) / e + kA * (1 - kE2) * s / std::sqrt(w2)) + height_ * height_ * s;
+  }
+  Vec3 direction(double azimuth, double elevation) const {
+    return sum(sum({}, std::cos(elevation), axes_.level(azimuth)), std::sin(elevation), axes_.up);
+  }
+  /// How the direction changes with the elevation.
+  Vec3 rising(double azimuth, double elevation) const {
+    return sum(sum({}, -std::sin(elevation), axes_.level(azimuth)), std::cos(elevation), axes_.up);
+  }
+  /// Where the ray is lowest: Newton's method on its slope.
+  double lowest(const Vec3& d) const {
+    double t = -along(eye_, d);
+    for (int i = 0; i < kSteps; ++i) {
+      const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
+      const double slope = along(ellipsoidNormal(place), d), s = std::sin(place.lat * kRadian);
+      const double n = kA / std::sqrt(1 - kE2 * s * s);
+      const double step = slope * (n + place.height) / std::max(1 - slope * slope, 1e-3);
+      t -= step;
+      if (std::fabs(step) < 1e-6) break;
+    }
+    return t;
+  }
+  /// The elevation of the ray that touches what hides, and how far away.
+  std::pair<double, double> horizon(double azimuth) const {
+    double e = -std::acos(std::min(1.0, (kA + hiding_) / (kA + foot_.height))), t = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec3 d = direction(azimuth, e);
+      t = lowest(d);
+      const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
+      const double step = (place.height - hiding_) / (t * along(ellipsoidNormal(place), rising(azimuth, e)));
+      e -= step;
+      if (std::fabs(step) < 1e-16) break;
+    }
+    return {e, t};
+  }
+  /// The elevation of the surface's points at a distance.
+  double elevationAt(double azimuth, double distance) const {
+    const double h = foot_.height, rise = (height_ - h) * (2 * kA + height_ + h) - distance * distance;
+    double e = std::asin(std::clamp(rise / (2 * (kA + h) * distance), -1.0, 1.0));
+    for (int i = 0; i < kSteps; ++i) {
+      const Geodetic place = ecefToGeodetic(sum(eye_, distance, direction(azimuth, e)));
+      const double slope = distance * along(ellipsoidNormal(place), rising(azimuth, e));
+      const double step = std::clamp((place.height - height_) / slope, -0.2, 0.2);
+      if (!std::isfinite(step)) break;
+      e -= step;
+      if (std::fabs(step) < 1e-15) break;
+    }
+    return e;
+  }
+
+  double height_;
+  Vec3 eye_;
+  Geodetic foot_;
+  bool isAbove_ = true;
+  double hiding_ = 0;
+  EyeAxes axes_;
+};
+
+/// Places are metres from the eye's foot.
+class PlaneGround final : public Ground {
+ public:
+  PlaneGround(const Vec3& normal, double offset, const Vec3& eye) : plane_{normal, offset} {
+    const double length = lengthOf(normal);
+    Vec3 up = sum({}, 1 / length, normal);
+    height_ = along(up, eye) + offset / length;
+    if (height_ == 0) throw InputError("the eye is on the plane; no outline has a size there");
+    if (height_ < 0) up = sum({}, -1, up);
+    foot_ = sum(eye, -std::fabs(height_), up);
+    height_ = std::fabs(height_);
+    const Vec3 other = std::fabs(up.z) > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    const Vec3 level = sum(other, -along(other, up), up);
+    const Vec3 aside = sum({}, 1 / lengthOf(level), level);
+    axes_ = {aside, detail::crossOf(up, aside), up};
+  }
+
+  std::optional<double> hit(const Ray& ray) const override {
+    const Hits hits = intersect(ray, plane_);
+    return hits.count > 0 && std::isfinite(hits.hits[0].distance) ? std::optional(hits.hits[0].distance) : std::nullopt;
+  }
+  std::optional<Limit> farthest(double azimuth, double most) const override {
+    constexpr double kFar = 1e15;
+    if (!(most > height_)) return std::nullopt;
+    if (!std::isfinite(most)) return Limit{sum(foot_, kFar * height_, axes_.level(azimuth)), nullptr};
+    const double radius = std::sqrt((most - height_) * (most + height_));
+    return Limit{sum(foot_, radius, axes_.level(azimuth)), "distance"};
+  }
+  double azimuthOf(const Vec3& d) const override { return axes_.azimuthOf(d); }
+  double turning() const override { return 1; }
+  Vec2 placeOf(const Vec3& point) const override {
+    const Vec3 from = sum(point, -1, foot_);
+    return {along(from, axes_.aside), along(from, axes_.ahead)};
+  }
+  Vec2 way(const Vec2& from, const Vec2& to) const override { return {to.x - from.x, to.y - from.y}; }
+  Vec2 scaleAt(const Vec2&) const override { return {1, 1}; }
+  double areaBelow(const Vec2& place) const override { return place.y; }
+  double areaOf(double sum, double) const override { return std::fabs(sum); }
+
+ private:
+  PlaneEquation plane_;
+  double height_ = 0;
+  Vec3 foot_;
+  EyeAxes axes_;
+};
+
+/// A part of the boundary: of the picture's edge, or of the horizon.
+struct Curve {
+  std::function<std::optional<OutlineVertex>(double)> at;
+  double from = 0, to = 0;
+  OutlineVertex first = {}, last = {};
+};
+using Ring = std::vector<Curve>;
+
+/// A part of the picture's edge that sees the ground, or does not, and that is drawn in to the lens's end, or is not.
+struct Piece {
+  double from, to;
+  bool sees, isDrawnIn;
+};
+
+class Tracer {
+ public:
+  Tracer(const Camera& camera, const Ground& ground, double most)
+      : camera_(camera), ground_(ground), most_(most), isFlat_(camera.projection().isOrthographic()) {
+    const auto [first, last] = pictureCorners(camera.viewport());
+    const bool fromTop = camera.viewport().origin == Origin::topLeft;
+    topLeft_ = {first.x, fromTop ? first.y : last.y};
+    bottomRight_ = {last.x, fromTop ? last.y : first.y};
+    center_ = {(first.x + last.x) / 2, (first.y + last.y) / 2};
+    const auto d = [&](double x, double y) { return screenToRay(camera, {center_.x + x, center_.y + y}).direction; };
+    const double down = fromTop ? 1 : -1;
+    isMirrored_ = along(detail::crossOf(d(0, 0), d(1, 0)), d(0, down)) < 0;
+  }
+
+  Outline outline(double error) {
+    Outline out;
+    std::vector<Ring> rings = ringsOf(pieces());
+    if (rings.empty()) {
+      out.cut.emplace_back(seesBeyond_ ? "distance" : "sky");
+    } else {
+      double extent = 0;
+      for (const Ring& ring : rings) {
+        const Traced rough = trace(ring, std::numeric_limits<double>::max());
+        for (const OutlineVertex& v : rough.vertices) extent = std::max(extent, apart(v.point, ring[0].first.point));
+      }
+      constexpr double kShare = 1e-3, kAreaShare = 1e-5;
+      out.error = error > 0 ? error : extent * kShare;
+      for (std::size_t i = 0; i < rings.size(); ++i) {
+        OutlineRing ring{trace(rings[i], out.error).vertices, trace(rings[i], extent * kAreaShare).area,
+                         hasHole_ && i == 1};
+        out.area += ring.isHole ? -ring.area : ring.area;
+        out.rings.push_back(std::move(ring));
+      }
+      for (const char* kind : {"horizon", "distance", "lens"})
+        if (cut_.contains(kind)) out.cut.emplace_back(kind);
+    }
+    if (const auto seen = see(center_))
+      out.center = {sum(seen->origin, seen->distance, seen->direction), seen->distance};
+    out.gsd = sampling(center_);
+    const double right = bottomRight_.x > topLeft_.x ? 0.5 : -0.5, down = bottomRight_.y > topLeft_.y ? 0.5 : -0.5;
+    const double x0 = topLeft_.x + right, y0 = topLeft_.y + down, x1 = bottomRight_.x - right,
+                 y1 = bottomRight_.y - down;
+    out.cornerGsd = {sampling({x0, y0}), sampling({x1, y0}), sampling({x1, y1}), sampling({x0, y1})};
+    return out;
+  }
+
+ private:
+  struct Edge {
+    Vec2 pixel;
+    bool isDrawnIn;
+    Ray ray;
+  };
+  struct Seen {
+    Vec3 origin, direction;
+    double distance;
+  };
+  struct Traced {
+    double error = 0, sum = 0, turn = 0, area = 0;
+    std::vector<OutlineVertex> vertices = {};
+  };
+
+  static bool isRay(const Ray& ray) { return std::isfinite(ray.direction.x); }
+
+  /// The picture's outer edge, s from 0 to 4 clockwise from the top left corner; where the lens ends before, its end on
+  /// the way to the picture's centre.
+  Edge edge(double s) const {
+    s = std::fmod(s, 4);
+    const int side = static_cast<int>(s);
+    const double t = s - side,
+                 x = side == 0   ? t
+                     : side == 1 ? 1
+                     : side == 2 ? 1 - t
+                                 : 0,
+                 y = side == 0   ? 0
+                     : side == 1 ? t
+                     : side == 2 ? 1
+                                 : 1 - t;
+    const Vec2 pixel{x == 1 ? bottomRight_.x : topLeft_.x + x * (bottomRight_.x - topLeft_.x),
+                     y == 1 ? bottomRight_.y : topLeft_.y + y * (bottomRight_.y - topLeft_.y)};
+    if (const Ray ray = screenToRay(camera_, pixel); isRay(ray)) return {pixel, false, ray};
+    const auto at = [&](double k) {
+      return Vec2{center_.x + k * (pixel.x - center_.x), center_.y + k * (pixel.y - center_.y)};
+    };
+    double inside = 0, outside = 1;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (inside + outside) / 2;
+      (isRay(screenToRay(camera_, at(middle))) ? inside : outside) = middle;
+    }
+    return {at(inside), true, screenToRay(camera_, at(inside))};
+  }
+
+  std::optional<double> distanceOf(const Ray& ray) {
+    if (!isRay(ray)) return std::nullopt;
+    const std::optional<double> t = ground_.hit(ray);
+    if (!t && isFlat_) throw InputError("a part of the orthographic picture lies behind the plane; move the eye back");
+    seesBeyond_ = seesBeyond_ || t;
+    return t && *t <= most_ ? t : std::nullopt;
+  }
+  std::optional<Seen> see(const Vec2& pixel) {
+    const Ray ray = screenToRay(camera_, pixel);
+    const std::optional<double> t = distanceOf(ray);
+    return t ? std::optional(Seen{ray.origin, ray.direction, *t}) : std::nullopt;
+  }
+
+  GroundSampling sampling(const Vec2& at) {
+    const auto a = see({at.x - 0.5, at.y}), b = see({at.x + 0.5, at.y});
+    const auto c = see({at.x, at.y - 0.5}), d = see({at.x, at.y + 0.5});
+    if (!a || !b || !c || !d) return std::nullopt;
+    // From the eye's own rays, so that far coordinates cost no digits.
+    const auto between = [](const Seen& p, const Seen& q) {
+      return lengthOf(sum(sum(sum(p.origin, -1, q.origin), p.distance, p.direction), -q.distance, q.direction));
+    };
+    return std::array{between(*a, *b), between(*c, *d)};
+  }
+
+  OutlineVertex vertex(const Vec3& point, std::optional<Vec2> pixel) const {
+    return {point, ground_.placeOf(point), pixel};
+  }
+  std::optional<OutlineVertex> onEdge(double s) {
+    const Edge e = edge(s);
+    const std::optional<double> t = distanceOf(e.ray);
+    if (!t) return std::nullopt;
+    return vertex(sum(e.ray.origin, *t, e.ray.direction), e.isDrawnIn ? std::nullopt : std::optional(e.pixel));
+  }
+  std::optional<OutlineVertex> onLimit(double azimuth) {
+    const auto limit = ground_.farthest(azimuth, most_);
+    if (!limit) return std::nullopt;
+    if (!limit->cut) throw InputError("the picture reaches the horizon of the plane; --max-distance D cuts it there");
+    cut_.insert(limit->cut);
+    return vertex(limit->point, std::nullopt);
+  }
+
+  /// The pieces of the edge, clockwise from the top left corner. Between two probes a change of state is found to the
+  /// last bit; what is narrower than the probes are apart, and between them, may be missed.
+  std::vector<Piece> pieces() {
+    constexpr int kProbes = 64;  // of a side
+    using State = std::pair<bool, bool>;
+    const auto stateAt = [&](double s) {
+      const Edge e = edge(s);
+      return State{distanceOf(e.ray).has_value(), e.isDrawnIn};
+    };
+    std::vector<Piece> all;
+    State state = stateAt(0);
+    for (int k = 0; k < 4 * kProbes; ++k) {
+      double a = static_cast<double>(k) / kProbes;
+      const double end = static_cast<double>(k + 1) / kProbes;
+      if (k % kProbes == 0) all.push_back({a, a, state.first, state.second});
+      const State last = stateAt(end);
+      while (state != last) {
+        double b = end;
+        State after = last;
+        for (double m = a + (b - a) / 2; m > a && m < b; m = a + (b - a) / 2) {
+          const State middle = stateAt(m);
+          (middle == state ? a : b) = m;
+          if (middle != state) after = middle;
+        }
+        all.back().to = a;
+        all.push_back({b, b, after.first, after.second});
+        a = b;
+        state = after;
+      }
+      all.back().to = end;
+    }
+    return all;
+  }
+
+  double turning() const { return ground_.turning() * (isMirrored_ ? -1 : 1); }
+
+  /// The horizon from one azimuth, so far round.
+  Curve arc(double azimuth, double span) {
+    const double turn = turning() * span;
+    Curve curve{[this, azimuth, turn](double t) { return onLimit(azimuth + turn * t); }, 0, 1};
+    setEnds(curve);
+    return curve;
+  }
+  static void setEnds(Curve& curve) {
+    curve.first = curve.at(curve.from).value();
+    curve.last = curve.at(curve.to).value();
+  }
+  /// In an orthographic picture all cuts are straight.
+  Curve chord(OutlineVertex from, OutlineVertex to) {
+    cut_.insert("distance");
+    from.pixel = to.pixel = std::nullopt;
+    const auto at = [this, from, to](double t) {
+      return std::optional(vertex(sum(from.point, t, sum(to.point, -1, from.point)), std::nullopt));
+    };
+    return {at, 0, 1, from, to};
+  }
+
+  std::vector<Ring> ringsOf(std::vector<Piece> all) {
+    if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.isDrawnIn; })) cut_.insert("lens");
+    const auto begins = [&](std::size_t i) { return all[i].sees && !all[(i + all.size() - 1) % all.size()].sees; };
+    std::size_t start = 0;
+    while (start < all.size() && !begins(start)) ++start;
+    if (start < all.size()) std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(start), all.end());
+    std::vector<Ring> runs;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].sees) continue;
+      if (runs.empty() || begins(i)) runs.emplace_back();
+      Curve curve{[this](double s) { return onEdge(s); }, all[i].from, all[i].to};
+      setEnds(curve);
+      runs.back().push_back(std::move(curve));
+    }
+    if (!runs.empty() && start < all.size()) return linked(std::move(runs));
+    // The edge sees the ground everywhere or nowhere: the horizon is all in the picture, or all outside of it.
+    std::vector<Ring> rings;
+    if (horizonIsInPicture()) {
+      rings.emplace_back();
+      for (int k = 0; k < 4; ++k) rings.back().push_back(arc(turning() * k * kPi / 2, kPi / 2));
+    }
+    hasHole_ = !rings.empty() && !runs.empty();
+    for (Ring& run : runs) rings.push_back(std::move(run));
+    return rings;
+  }
+  bool horizonIsInPicture() const {
+    const auto limit = isFlat_ ? std::nullopt : ground_.farthest(0, most_);
+    if (!limit) return false;
+    const ScreenPoint screen = worldToScreen(camera_, limit->point);
+    return screen.status == PointStatus::inFront && sidesBeyond(camera_, {screen.x, screen.y}) == 0;
+  }
+
+  /// Where a run of pieces that see the ground ends, the horizon is followed to the next azimuth at which one begins.
+  std::vector<Ring> linked(std::vector<Ring> runs) {
+    const auto azimuthAt = [&](double s) { return ground_.azimuthOf(edge(s).ray.direction); };
+    std::vector<std::size_t> next(runs.size());
+    std::vector<Curve> arcs;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      next[i] = (i + 1) % runs.size();
+      if (isFlat_) {
+        arcs.push_back(chord(runs[i].back().last, runs[next[i]].front().first));
+        continue;
+      }
+      const double from = azimuthAt(runs[i].back().to);
+      double least = 4 * kPi;
+      for (std::size_t k = 0; k < runs.size(); ++k) {
+        const double span = std::fmod(turning() * (azimuthAt(runs[k].front().from) - from) + 4 * kPi, 2 * kPi);
+        if (span >= least) continue;
+        least = span;
+        next[i] = k;
+      }
+      arcs.push_back(arc(from, least));
+    }
+    std::vector<Ring> rings;
+    std::vector<bool> isUsed(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (isUsed[i]) continue;
+      rings.emplace_back();
+      for (std::size_t k = i; !isUsed[k]; k = next[k]) {
+        isUsed[k] = true;
+        runs[k].back().last = arcs[k].first;
+        runs[next[k]].front().first = arcs[k].last;
+        rings.back().insert(rings.back().end(), runs[k].begin(), runs[k].end());
+        rings.back().push_back(arcs[k]);
+      }
+      // The last arc may end at a curve that is in the ring already.
+      rings.back().front().first = rings.back().back().last;
+    }
+    return rings;
+  }
+
+  /// Where the ground between two ends of a curve is halved: near a horizon that is not half-way along the edge.
+  struct Middle {
+    double at;
+    OutlineVertex vertex;
+  };
+  Middle middleOf(const Curve& curve, double a, double b, const OutlineVertex& p, const OutlineVertex& q) {
+    Middle middle{a, p};
+    for (int i = 0; i < 40; ++i) {
+      middle.at = a + (b - a) / 2;
+      middle.vertex = curve.at(middle.at).value_or(p);
+      const double before = apart(middle.vertex.point, p.point), after = apart(middle.vertex.point, q.point);
+      if (std::min(before, after) > 0.6 * std::max(before, after)) break;
+      (before < after ? a : b) = middle.at;
+    }
+    return middle;
+  }
+
+  Traced trace(const Ring& ring, double error) {
+    Traced traced{.error = error};
+    for (const Curve& c : ring)
+      halve(c, c.from, c.to, c.first, c.last, middleOf(c, c.from, c.to, c.first, c.last), 0, traced);
+    traced.area = ground_.areaOf(traced.sum, traced.turn);
+    return traced;
+  }
+
+  /// Halves a curve until its quarters lie on the line that a map draws.
+  void halve(const Curve& curve, double a, double b, const OutlineVertex& p, const OutlineVertex& q, const Middle& m,
+             int depth, Traced& traced) {
+    constexpr int kDeepest = 40;
+    constexpr std::size_t kMostVertices = 1'000'000;
+    const Middle l = middleOf(curve, a, m.at, p, m.vertex), n = middleOf(curve, m.at, b, m.vertex, q);
+    const Vec2 scale = ground_.scaleAt(m.vertex.place);
+    const auto metres = [&](const OutlineVertex& to) {
+      const Vec2 way = ground_.way(p.place, to.place);
+      return Vec2{way.x * scale.x, way.y * scale.y};
+    };
+    const Vec2 whole = metres(q);
+    const double length = std::hypot(whole.x, whole.y);
+    double worst = 0;
+    for (const OutlineVertex* v : {&l.vertex, &m.vertex, &n.vertex}) {
+      const Vec2 w = metres(*v);
+      worst = std::max(worst, length > 0 ? std::fabs(w.x * whole.y - w.y * whole.x) / length : std::hypot(w.x, w.y));
+    }
+    const double extent = std::max(apart(p.point, m.vertex.point), apart(m.vertex.point, q.point));
+    if (worst > 0.8 * traced.error && extent > traced.error && depth < kDeepest) {
+      halve(curve, a, m.at, p, m.vertex, l, depth + 1, traced);
+      halve(curve, m.at, b, m.vertex, q, n, depth + 1, traced);
+      return;
+    }
+    if (traced.vertices.size() >= kMostVertices)
+      throw InputError("an outline within " + formatNumber(traced.error) +
+                       " has more than a million vertices; --error takes a larger distance");
+    traced.vertices.push_back(p);
+    addArea(p, l.vertex, m.vertex, traced);
+    addArea(m.vertex, n.vertex, q, traced);
+  }
+
+  /// The integral along the parabola through three places.
+  void addArea(const OutlineVertex& p, const OutlineVertex& q, const OutlineVertex& r, Traced& traced) const {
+    const double first = ground_.areaBelow(p.place), half = ground_.areaBelow(q.place),
+                 last = ground_.areaBelow(r.place);
+    const double toHalf = ground_.way(p.place, q.place).x, across = ground_.way(p.place, r.place).x;
+    traced.turn += across;
+    if (across == 0) return;
+    const double x = toHalf / across, bulge = x > 0.05 && x < 0.95 ? 1 / (6 * x * (1 - x)) : 0;
+    traced.sum += (first + last) / 2 * across + ((half - first) * across - (last - first) * toHalf) * bulge;
+  }
+
+  const Camera& camera_;
+  const Ground& ground_;
+  double most_;
+  bool isFlat_, isMirrored_ = false, hasHole_ = false;
+  bool seesBeyond_ = false;  ///< something is seen, be it too far
+  Vec2 topLeft_, bottomRight_, center_;
+  std::set<std::string_view> cut_;
+};
+
+}  // namespace
+
+std::unique_ptr<Ground> groundOfHeight(double height, const Vec3& eye) {
+  return std::make_unique<HeightGround>(height, eye);
+}
+
+std::unique_ptr<Ground> groundOfPlane(const Vec3& normal, double offset, const Vec3& eye) {
+  return std::make_unique<PlaneGround>(normal, offset, eye);
+}
+
+Outline outlineOf(const Camera& camera, const Ground& ground, double most, double error) {
+  return Tracer(camera, ground, most).outline(error);
+}
+
+}  // namespace viewproj::cmd
