@@ -71,9 +71,9 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
     throw UsageError(
         "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
   if (file.worldIsEcef && camera.projection().isOrthographic())
-    file.fail("an outline on the Earth needs a perspective camera; " + file.name + " is orthographic");
+    file.fail("an outline on the Earth needs a perspective camera, and that of " + file.name + " is orthographic");
   if (!file.worldIsEcef && o.form == FootprintForm::geojson)
-    file.fail("GeoJSON has longitudes and latitudes only, and " + file.name + " is not on the Earth");
+    file.fail("GeoJSON has longitudes and latitudes only, and the camera of " + file.name + " is not on the Earth");
   const PlaneEquation plane = o.plane.value_or(PlaneEquation{{0, 0, 1}, -o.height.value_or(0)});
   const auto ground =
       file.worldIsEcef ? groundOfHeight(*o.height, eye) : groundOfPlane(plane.normal, plane.offset, eye);
@@ -168,39 +168,60 @@ OrderedJson featureOf(const Footprint& f) {
           {"geometry", geometry}};
 }
 
+/// Writes footprints, one after the other, and what goes around them.
+class FootprintWriter {
+ public:
+  FootprintWriter(FootprintForm form, int digits) : form_(form), digits_(digits) {}
+
+  /// Throws InputError for one that the form has no place for; then nothing is written.
+  void write(const Footprint& f) {
+    if (form_ == FootprintForm::table) {
+      writeOutput((isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_));
+    } else if (form_ == FootprintForm::json) {
+      writeOutput(compactJson(reportOf(f), digits_) + "\n");
+    } else if (form_ == FootprintForm::geojson) {
+      const std::string feature = compactJson(featureOf(f), digits_);
+      writeOutput((isFirst_ ? kHead : std::string(",")) + "\n" + feature);
+    } else {
+      if (!isFirst_ && f.isOnEarth != isOnEarth_)
+        throw InputError("a table has places on the Earth, or positions, and the first camera decides");
+      const std::string head = f.isOnEarth ? "lat,lon,height" : "x,y,z";
+      writeOutput((isFirst_ ? "name,vertex," + head + ",pixel_x,pixel_y,ring\n" : "") + csvRows(f, digits_));
+    }
+    isFirst_ = false;
+    isOnEarth_ = f.isOnEarth;
+  }
+  void end() const {
+    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + "\n]}\n");
+  }
+
+ private:
+  static inline const std::string kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
+  FootprintForm form_;
+  int digits_;
+  bool isFirst_ = true, isOnEarth_ = false;
+};
+
+/// A camera without an outline has a message instead.
 int runFootprint(const FootprintOptions& o) {
   int status = 0;
-  std::size_t count = 0;
-  const auto write = [&](const Footprint& f) {
-    const bool isFirst = count++ == 0;
-    if (o.form == FootprintForm::table)
-      writeOutput((isFirst ? "" : "\n") + tableText(reportOf(f), o.digitsOf()));
-    else if (o.form == FootprintForm::json)
-      writeOutput(compactJson(reportOf(f), o.digitsOf()) + "\n");
-    else if (o.form == FootprintForm::geojson)
-      writeOutput((isFirst ? "\n" : ",\n") + compactJson(featureOf(f), o.digitsOf()));
-    else
-      writeOutput((!isFirst      ? ""
-                   : f.isOnEarth ? "name,vertex,lat,lon,height,pixel_x,pixel_y,ring\n"
-                                 : "name,vertex,x,y,z,pixel_x,pixel_y,ring\n") +
-                  csvRows(f, o.digitsOf()));
-  };
-  const auto files = o.camera.readFiles();
-  if (o.form == FootprintForm::geojson) writeOutput("{\"type\": \"FeatureCollection\", \"features\": [");
-  for (const auto& [cameras, which] : files)
+  FootprintWriter writer(o.form, o.digitsOf());
+  for (const auto& [cameras, which] : o.camera.readFiles())
     for (const std::size_t i : which) {
-      std::string name = cameras->nameOf(i);
+      std::string place;
       try {
         const CameraFile file = o.camera.readOne(*cameras, i);
+        if (!file.isTyped) place = file.name + ": ";
         const Json* const stated = valueAt(*file.document.root, "name");
-        if (stated && stated->is_string()) name = stated->get<std::string>();
-        write(footprintOf(o, file, name));
+        const bool isNamed = stated && stated->is_string();
+        writer.write(footprintOf(o, file, isNamed ? stated->get<std::string>() : cameras->nameOf(i)));
       } catch (const InputError& e) {
-        complain((name.empty() ? "" : name + ": ") + e.what());
+        const std::string message = e.what();
+        complain(message.starts_with(place) ? message : place + message);
         status = 1;
       }
     }
-  if (o.form == FootprintForm::geojson) writeOutput("\n]}\n");
+  writer.end();
   return status;
 }
 

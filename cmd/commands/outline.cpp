@@ -32,6 +32,13 @@ struct EyeAxes {
   double azimuthOf(const Vec3& d) const { return std::atan2(along(d, aside), along(d, ahead)); }
 };
 
+/// East, north and up. (ellipsoidNormal has more digits, and takes a hundred times as long.)
+EyeAxes axesAt(const Geodetic& place) {
+  const double lat = place.lat * kRadian, lon = place.lon * kRadian;
+  const double sp = std::sin(lat), cp = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
+  return {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
+}
+
 /// The surface of a height. Its formulas are those of curves on the ellipsoid: a and b its semi-axes, e its
 /// eccentricity, M and N its radii of curvature along and across the meridian.
 class HeightGround final : public Ground {
@@ -42,15 +49,13 @@ class HeightGround final : public Ground {
     isAbove_ = foot_.height > height;
     // What a camera on the ground stands on does not hide; below the ellipsoid the ground is lower too.
     hiding_ = isAbove_ ? height : std::min(0.0, foot_.height - 1);
-    const double lat = foot_.lat * kRadian, lon = foot_.lon * kRadian;
-    const double sp = std::sin(lat), cp = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
-    axes_ = {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
+    axes_ = axesAt(foot_);
   }
 
-  std::optional<double> hit(const Ray& ray) const override {
+  std::optional<Seen> hit(const Ray& ray) const override {
     const HeightCrossings found = crossingsOfHeight(ray, height_);
     if (found.count == 0 || (!isAbove_ && crossingsOfHeight(ray, hiding_).count > 0)) return std::nullopt;
-    return found.distances[0];
+    return Seen{sum(ray.origin, found.distances[0], ray.direction), found.distances[0]};
   }
 
   std::optional<Limit> farthest(double azimuth, double most) const override {
@@ -109,7 +114,7 @@ class HeightGround final : public Ground {
     double t = -along(eye_, d);
     for (int i = 0; i < kSteps; ++i) {
       const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
-      const double slope = along(ellipsoidNormal(place), d), s = std::sin(place.lat * kRadian);
+      const double slope = along(axesAt(place).up, d), s = std::sin(place.lat * kRadian);
       const double n = kA / std::sqrt(1 - kE2 * s * s);
       const double step = slope * (n + place.height) / std::max(1 - slope * slope, 1e-3);
       t -= step;
@@ -124,7 +129,7 @@ class HeightGround final : public Ground {
       const Vec3 d = direction(azimuth, e);
       t = lowest(d);
       const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
-      const double step = (place.height - hiding_) / (t * along(ellipsoidNormal(place), rising(azimuth, e)));
+      const double step = (place.height - hiding_) / (t * along(axesAt(place).up, rising(azimuth, e)));
       e -= step;
       if (std::fabs(step) < 1e-16) break;
     }
@@ -136,7 +141,7 @@ class HeightGround final : public Ground {
     double e = std::asin(std::clamp(rise / (2 * (kA + h) * distance), -1.0, 1.0));
     for (int i = 0; i < kSteps; ++i) {
       const Geodetic place = ecefToGeodetic(sum(eye_, distance, direction(azimuth, e)));
-      const double slope = distance * along(ellipsoidNormal(place), rising(azimuth, e));
+      const double slope = distance * along(axesAt(place).up, rising(azimuth, e));
       const double step = std::clamp((place.height - height_) / slope, -0.2, 0.2);
       if (!std::isfinite(step)) break;
       e -= step;
@@ -170,9 +175,10 @@ class PlaneGround final : public Ground {
     axes_ = {aside, detail::crossOf(up, aside), up};
   }
 
-  std::optional<double> hit(const Ray& ray) const override {
+  std::optional<Seen> hit(const Ray& ray) const override {
     const Hits hits = intersect(ray, plane_);
-    return hits.count > 0 && std::isfinite(hits.hits[0].distance) ? std::optional(hits.hits[0].distance) : std::nullopt;
+    if (hits.count == 0 || !std::isfinite(hits.hits[0].distance)) return std::nullopt;
+    return Seen{hits.hits[0].point, hits.hits[0].distance};
   }
   std::optional<Limit> farthest(double azimuth, double most) const override {
     constexpr double kFar = 1e15;
@@ -249,8 +255,7 @@ class Tracer {
       for (const char* kind : {"horizon", "distance", "lens"})
         if (cut_.contains(kind)) out.cut.emplace_back(kind);
     }
-    if (const auto seen = see(center_))
-      out.center = {sum(seen->origin, seen->distance, seen->direction), seen->distance};
+    out.center = see(screenToRay(camera_, center_));
     out.gsd = sampling(center_);
     const double right = bottomRight_.x > topLeft_.x ? 0.5 : -0.5, down = bottomRight_.y > topLeft_.y ? 0.5 : -0.5;
     const double x0 = topLeft_.x + right, y0 = topLeft_.y + down, x1 = bottomRight_.x - right,
@@ -264,10 +269,6 @@ class Tracer {
     Vec2 pixel;
     bool isDrawnIn;
     Ray ray;
-  };
-  struct Seen {
-    Vec3 origin, direction;
-    double distance;
   };
   struct Traced {
     double error = 0, sum = 0, turn = 0, area = 0;
@@ -304,28 +305,27 @@ class Tracer {
     return {at(inside), true, screenToRay(camera_, at(inside))};
   }
 
-  std::optional<double> distanceOf(const Ray& ray) {
+  std::optional<Ground::Seen> see(const Ray& ray) {
     if (!isRay(ray)) return std::nullopt;
-    const std::optional<double> t = ground_.hit(ray);
-    if (!t && isFlat_) throw InputError("a part of the orthographic picture lies behind the plane; move the eye back");
-    seesBeyond_ = seesBeyond_ || t;
-    return t && *t <= most_ ? t : std::nullopt;
-  }
-  std::optional<Seen> see(const Vec2& pixel) {
-    const Ray ray = screenToRay(camera_, pixel);
-    const std::optional<double> t = distanceOf(ray);
-    return t ? std::optional(Seen{ray.origin, ray.direction, *t}) : std::nullopt;
+    const std::optional<Ground::Seen> seen = ground_.hit(ray);
+    if (!seen && isFlat_)
+      throw InputError("a part of the orthographic picture lies behind the plane; move the eye back");
+    seesBeyond_ = seesBeyond_ || seen;
+    return seen && seen->distance <= most_ ? seen : std::nullopt;
   }
 
+  /// From the eye's own rays, so that far coordinates cost no digits.
+  std::optional<double> between(const Vec2& a, const Vec2& b) {
+    const Ray p = screenToRay(camera_, a), q = screenToRay(camera_, b);
+    const auto first = see(p), last = see(q);
+    if (!first || !last) return std::nullopt;
+    const Vec3 origins = sum(p.origin, -1, q.origin);
+    return lengthOf(sum(sum(origins, first->distance, p.direction), -last->distance, q.direction));
+  }
   GroundSampling sampling(const Vec2& at) {
-    const auto a = see({at.x - 0.5, at.y}), b = see({at.x + 0.5, at.y});
-    const auto c = see({at.x, at.y - 0.5}), d = see({at.x, at.y + 0.5});
-    if (!a || !b || !c || !d) return std::nullopt;
-    // From the eye's own rays, so that far coordinates cost no digits.
-    const auto between = [](const Seen& p, const Seen& q) {
-      return lengthOf(sum(sum(sum(p.origin, -1, q.origin), p.distance, p.direction), -q.distance, q.direction));
-    };
-    return std::array{between(*a, *b), between(*c, *d)};
+    const auto across = between({at.x - 0.5, at.y}, {at.x + 0.5, at.y});
+    const auto down = between({at.x, at.y - 0.5}, {at.x, at.y + 0.5});
+    return across && down ? GroundSampling({*across, *down}) : std::nullopt;
   }
 
   OutlineVertex vertex(const Vec3& point, std::optional<Vec2> pixel) const {
@@ -333,9 +333,9 @@ class Tracer {
   }
   std::optional<OutlineVertex> onEdge(double s) {
     const Edge e = edge(s);
-    const std::optional<double> t = distanceOf(e.ray);
-    if (!t) return std::nullopt;
-    return vertex(sum(e.ray.origin, *t, e.ray.direction), e.isDrawnIn ? std::nullopt : std::optional(e.pixel));
+    const auto seen = see(e.ray);
+    if (!seen) return std::nullopt;
+    return vertex(seen->point, e.isDrawnIn ? std::nullopt : std::optional(e.pixel));
   }
   std::optional<OutlineVertex> onLimit(double azimuth) {
     const auto limit = ground_.farthest(azimuth, most_);
@@ -352,7 +352,7 @@ class Tracer {
     using State = std::pair<bool, bool>;
     const auto stateAt = [&](double s) {
       const Edge e = edge(s);
-      return State{distanceOf(e.ray).has_value(), e.isDrawnIn};
+      return State{see(e.ray).has_value(), e.isDrawnIn};
     };
     std::vector<Piece> all;
     State state = stateAt(0);

@@ -16,8 +16,12 @@ namespace viewproj::cmd {
 class Ground {
  public:
   virtual ~Ground() = default;
-  /// The distance of what a ray shows of it.
-  virtual std::optional<double> hit(const Ray& ray) const = 0;
+  struct Seen {
+    Vec3 point;
+    double distance;  ///< from the ray's origin
+  };
+  /// What a ray shows of it.
+  virtual std::optional<Seen> hit(const Ray& ray) const = 0;
   struct Limit {
     Vec3 point;
     const char* cut;  ///< horizon or distance; null: a plane goes on beyond
@@ -63,11 +67,7 @@ struct Outline {
   std::vector<OutlineRing> rings;
   std::vector<std::string> cut;
   double area = 0, error = 0;
-  struct Center {
-    Vec3 point;
-    double distance;
-  };
-  std::optional<Center> center;
+  std::optional<Ground::Seen> center;
   GroundSampling gsd;
   std::array<GroundSampling, 4> cornerGsd;  ///< top left, top right, bottom right, bottom left
 };
