@@ -101,7 +101,8 @@ std::vector<MapRing> joined(const std::vector<Chain>& chains, bool beyond) {
 }
 
 void addParts(MapRing ring, std::vector<MapRing>& parts) {
-  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), [](auto& a, auto& b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(ring.begin(), ring.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
   const double shift = kTurn * std::floor((low->x + kEdge) / kTurn);
   const bool passes = high->x - shift > kEdge;
   for (Vec2& place : ring) place.x -= shift;
