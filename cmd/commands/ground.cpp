@@ -59,8 +59,9 @@ class HeightGround final : public Ground {
       const HeightCrossings out = crossingsOfHeight({eye_, d}, height_);
       t = out.count > 0 ? out.distances[0] : 0;
     }
-    if (t <= most) return Limit{sum(eye_, t, d), "horizon"};
-    return Limit{sum(eye_, most, direction(azimuth, elevationAt(azimuth, most))), "distance"};
+    if (t <= most) return Limit{sum(eye_, t, d), elevation, t, "horizon"};
+    const double lower = elevationAt(azimuth, most);
+    return Limit{sum(eye_, most, direction(azimuth, lower)), lower, most, "distance"};
   }
 
   double azimuthOf(const Vec3& d) const override { return axes_.azimuthOf(d); }
@@ -175,9 +176,9 @@ class PlaneGround final : public Ground {
   std::optional<Limit> farthest(double azimuth, double most) const override {
     constexpr double kFar = 1e15;
     if (!(most > height_)) return std::nullopt;
-    if (!std::isfinite(most)) return Limit{sum(foot_, kFar * height_, axes_.level(azimuth)), nullptr};
+    if (!std::isfinite(most)) return Limit{sum(foot_, kFar * height_, axes_.level(azimuth)), 0, most};
     const double radius = std::sqrt((most - height_) * (most + height_));
-    return Limit{sum(foot_, radius, axes_.level(azimuth)), "distance"};
+    return Limit{sum(foot_, radius, axes_.level(azimuth)), -std::asin(height_ / most), most, "distance"};
   }
   double azimuthOf(const Vec3& d) const override { return axes_.azimuthOf(d); }
   double turning() const override { return 1; }

@@ -21,7 +21,9 @@ class Ground {
   virtual std::optional<Seen> hit(const Ray& ray) const = 0;
   struct Limit {
     Vec3 point;
-    const char* cut;  ///< horizon or distance; null: a plane goes on beyond
+    double elevation = 0;       ///< radians above the level plane at the eye
+    double distance = 0;        ///< infinite where a plane goes on beyond
+    const char* cut = nullptr;  ///< horizon or distance; null: a plane goes on beyond
   };
   /// The farthest point that can be seen at an azimuth, at most so far away. Nothing if there is none.
   virtual std::optional<Limit> farthest(double azimuth, double most) const = 0;

@@ -46,9 +46,26 @@ class Tracer {
     isMirrored_ = along(detail::crossOf(d(0, 0), d(1, 0)), d(0, down)) < 0;
   }
 
+  std::array<std::optional<Vec2>, 3> horizonPixels() {
+    const auto [runs, areCut] = runsOf(pieces());
+    std::array<std::optional<Vec2>, 3> pixels;
+    double widest = 0;
+    for (std::size_t i = 0; areCut && i < runs.size(); ++i) {
+      const Link link = linkAfter(runs, i);
+      if (link.span <= widest) continue;
+      widest = link.span;
+      const auto middle = ground_.farthest(link.azimuth + turning() * link.span / 2, most_);
+      const ScreenPoint screen = middle ? worldToScreen(camera_, middle->point) : ScreenPoint{};
+      pixels = {edge(runs[i].back().to).pixel, std::nullopt, edge(runs[link.next].front().from).pixel};
+      if (middle && screen.status == PointStatus::inFront) pixels[1] = Vec2{screen.x, screen.y};
+      if (turning() < 0) std::swap(pixels[0], pixels[2]);
+    }
+    return pixels;
+  }
+
   Outline outline(double error) {
     Outline out;
-    std::vector<Ring> rings = ringsOf(pieces());
+    const std::vector<Ring> rings = this->rings();
     if (rings.empty()) {
       out.cut.emplace_back(seesBeyond_ ? "distance" : "sky");
     } else {
@@ -215,21 +232,31 @@ class Tracer {
     return {at, 0, 1, from, to};
   }
 
-  std::vector<Ring> ringsOf(std::vector<Piece> all) {
+  /// Runs of pieces that see the ground, the first one that follows a cut first.
+  struct Runs {
+    std::vector<Ring> runs;
+    bool areCut = false;
+  };
+  Runs runsOf(std::vector<Piece> all) {
     if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.isDrawnIn; })) cut_.insert("lens");
     const auto begins = [&](std::size_t i) { return all[i].sees && !all[(i + all.size() - 1) % all.size()].sees; };
     std::size_t start = 0;
     while (start < all.size() && !begins(start)) ++start;
-    if (start < all.size()) std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(start), all.end());
-    std::vector<Ring> runs;
+    Runs found{{}, start < all.size()};
+    if (found.areCut) std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(start), all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i].sees) continue;
-      if (runs.empty() || begins(i)) runs.emplace_back();
+      if (found.runs.empty() || begins(i)) found.runs.emplace_back();
       Curve curve{[this](double s) { return onEdge(s); }, all[i].from, all[i].to};
       setEnds(curve);
-      runs.back().push_back(std::move(curve));
+      found.runs.back().push_back(std::move(curve));
     }
-    if (!runs.empty() && start < all.size()) return linked(std::move(runs));
+    return found;
+  }
+
+  std::vector<Ring> rings() {
+    auto [runs, areCut] = runsOf(pieces());
+    if (areCut) return linked(std::move(runs));
     // The edge sees the ground everywhere or nowhere: the horizon is all in the picture, or all outside of it.
     std::vector<Ring> rings;
     if (horizonIsInPicture()) {
@@ -247,9 +274,25 @@ class Tracer {
     return screen.status == PointStatus::inFront && sidesBeyond(camera_, {screen.x, screen.y}) == 0;
   }
 
-  /// Where a run of pieces that see the ground ends, the horizon is followed to the next azimuth at which one begins.
-  std::vector<Ring> linked(std::vector<Ring> runs) {
+  /// The horizon from where a run ends, in radians, to the next azimuth at which one begins.
+  struct Link {
+    double azimuth, span;
+    std::size_t next;
+  };
+  Link linkAfter(const std::vector<Ring>& runs, std::size_t i) const {
     const auto azimuthAt = [&](double s) { return ground_.azimuthOf(edge(s).ray.direction); };
+    Link link{azimuthAt(runs[i].back().to), 4 * kPi, i};
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const double ahead = turning() * (azimuthAt(runs[k].front().from) - link.azimuth);
+      const double span = std::fmod(ahead + 4 * kPi, 2 * kPi);
+      if (span >= link.span) continue;
+      link.span = span;
+      link.next = k;
+    }
+    return link;
+  }
+
+  std::vector<Ring> linked(std::vector<Ring> runs) {
     std::vector<std::size_t> next(runs.size());
     std::vector<Curve> arcs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -258,15 +301,9 @@ class Tracer {
         arcs.push_back(chord(runs[i].back().last, runs[next[i]].front().first));
         continue;
       }
-      const double from = azimuthAt(runs[i].back().to);
-      double least = 4 * kPi;
-      for (std::size_t k = 0; k < runs.size(); ++k) {
-        const double span = std::fmod(turning() * (azimuthAt(runs[k].front().from) - from) + 4 * kPi, 2 * kPi);
-        if (span >= least) continue;
-        least = span;
-        next[i] = k;
-      }
-      arcs.push_back(arc(from, least));
+      const Link link = linkAfter(runs, i);
+      next[i] = link.next;
+      arcs.push_back(arc(link.azimuth, link.span));
     }
     std::vector<Ring> rings;
     std::vector<bool> isUsed(runs.size());
@@ -367,6 +404,11 @@ class Tracer {
 
 Outline outlineOf(const Camera& camera, const Ground& ground, double most, double error) {
   return Tracer(camera, ground, most).outline(error);
+}
+
+std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground) {
+  if (camera.projection().isOrthographic()) return {};
+  return Tracer(camera, ground, std::numeric_limits<double>::infinity()).horizonPixels();
 }
 
 }  // namespace viewproj::cmd

@@ -38,4 +38,8 @@ struct Outline {
 /// outline's extent. Throws InputError where the picture reaches the horizon of a plane, and beyond a million vertices.
 Outline outlineOf(const Camera& camera, const Ground& ground, double most, double error);
 
+/// Where the ground's horizon enters a perspective picture, is half-way through it by azimuth, and leaves it, by
+/// growing azimuth. Of several parts the widest. Nothing if it does not.
+std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground);
+
 }  // namespace viewproj::cmd
