@@ -378,7 +378,7 @@ Action declareInfo(CLI::App& app) {
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
   addValue(app, "--height", "H", o->height,
            numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
-           "Tell the horizon too, of the Earth's surface of this height or of z = H");
+           "Tell the horizon of this height too, or of z = H");
   addOption(
       app, "--which", "KINDS",
       [o](const std::string& option, const std::string& text) {
@@ -397,8 +397,7 @@ Action declareInfo(CLI::App& app) {
           throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
         o->angles = row;
       },
-      "Tell the pose's angles too: of turns about the camera's axes, as YXZ, or as rpy (roll, pitch, yaw), unity, "
-      "unreal or opk list them");
+      "Tell the pose as turns about the camera's axes too, as YXZ, or of rpy, unity, unreal or opk");
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);
