@@ -65,8 +65,10 @@ class Tracer {
 
   Outline outline(double error) {
     Outline out;
+    out.center = see(screenToRay(camera_, center_));
     const std::vector<Ring> rings = this->rings();
     if (rings.empty()) {
+      seesBeyond_ = seesBeyond_ || horizonIsInPicture(std::numeric_limits<double>::infinity());
       out.cut.emplace_back(seesBeyond_ ? "distance" : "sky");
     } else {
       double extent = 0;
@@ -85,7 +87,6 @@ class Tracer {
       for (const char* kind : {"horizon", "distance", "lens"})
         if (cut_.contains(kind)) out.cut.emplace_back(kind);
     }
-    out.center = see(screenToRay(camera_, center_));
     out.gsd = sampling(center_);
     const double right = bottomRight_.x > topLeft_.x ? 0.5 : -0.5, down = bottomRight_.y > topLeft_.y ? 0.5 : -0.5;
     const double x0 = topLeft_.x + right, y0 = topLeft_.y + down, x1 = bottomRight_.x - right,
@@ -259,7 +260,7 @@ class Tracer {
     if (areCut) return linked(std::move(runs));
     // The edge sees the ground everywhere or nowhere: the horizon is all in the picture, or all outside of it.
     std::vector<Ring> rings;
-    if (horizonIsInPicture()) {
+    if (horizonIsInPicture(most_)) {
       rings.emplace_back();
       for (int k = 0; k < 4; ++k) rings.back().push_back(arc(turning() * k * kPi / 2, kPi / 2));
     }
@@ -267,8 +268,8 @@ class Tracer {
     for (Ring& run : runs) rings.push_back(std::move(run));
     return rings;
   }
-  bool horizonIsInPicture() const {
-    const auto limit = isFlat_ ? std::nullopt : ground_.farthest(0, most_);
+  bool horizonIsInPicture(double most) const {
+    const auto limit = isFlat_ ? std::nullopt : ground_.farthest(0, most);
     if (!limit) return false;
     const ScreenPoint screen = worldToScreen(camera_, limit->point);
     return screen.status == PointStatus::inFront && sidesBeyond(camera_, {screen.x, screen.y}) == 0;

@@ -54,6 +54,8 @@ CASES = [
     ("end of the lens", earth(46.9, 7.4, 640, 20, -70, *fisheye(120, -0.1)), ["--height", "545"], ["horizon", "lens"]),
     ("sky", earth(46.9, 7.4, 640, 20, 45, *SMALL), ["--height", "545"], ["sky"]),
     ("too far", earth(46.9, 7.4, 640, 20, -45, *SMALL), ["--height", "545", "--max-distance", "50"], ["distance"]),
+    ("far below", earth(10, 20, 1e8, 3, -84, "--fov-x", "20", *SQUARE), ["--height", "0", "--max-distance", "9e7"],
+     ["distance"]),
 ]
 LOCAL = [
     ("square", ["--position", "3,2,95", "--target", "3,2,0", "--up", "0,1,0", "--fov-x", "60", *SQUARE], ["--height", "0"],
@@ -263,5 +265,5 @@ for name, camera, surface, expected in LOCAL:
             require(close(math.dist(at, [v["x"], v["y"], v["z"]]), float(surface[3]), 1e-12), f"{v} is not on the limit")
     checked += 1
 name = "all"
-require(checked == len(CASES) - 2 + len(LOCAL), "some cameras were not judged")
+require(checked == len(CASES) - 3 + len(LOCAL), "some cameras were not judged")
 print(f"{checked} footprints are right")
