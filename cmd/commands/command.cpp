@@ -20,6 +20,7 @@ constexpr Command kCommands[] = {
     {"convert", "cameras as a file of another program, or as ours", declareConvert, 1, true},
     {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
     {"info", "what is in a camera file, or what a pasted matrix is", declareInfo},
+    {"footprint", "what each picture shows of the ground: outline, area, pixel size", declareFootprint},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
     {"depth", "what a depth buffer resolves at each distance", declareDepth},
     {"measure", "time and error of every precision on your own points", declareMeasure},

@@ -45,6 +45,7 @@ Action declareConvert(CLI::App& app);
 Action declareCull(CLI::App& app);
 Action declareCheck(CLI::App& app);
 Action declareInfo(CLI::App& app);
+Action declareFootprint(CLI::App& app);
 Action declareExplain(CLI::App& app);
 Action declareDepth(CLI::App& app);
 Action declareMeasure(CLI::App& app);

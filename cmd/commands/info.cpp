@@ -12,6 +12,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/matrix_report.hpp"
+#include "commands/outline.hpp"
 #include "formats/finder.hpp"
 #include "formats/open.hpp"
 #include "numbers/arctangent.hpp"
@@ -216,8 +217,31 @@ OrderedJson cameraRow(const std::string& name, const Document& document, const N
   return row;
 }
 
+/// Of the ground of a height: how far below level it is at the camera's heading, in degrees, and how far away; and its
+/// pixels. Null from below the ground.
+OrderedJson horizonOf(const CameraFile& file, double height) {
+  requireUp(file, "--height");
+  if (!file.pose) return nullptr;
+  const Vec3 eye = file.pose->eye();
+  if (!((file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z) > height)) return nullptr;
+  const auto ground = file.worldIsEcef ? groundOfHeight(height, eye) : groundOfPlane({0, 0, 1}, -height, eye);
+  const double heading = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef).heading.value;
+  const auto limit = ground->farthest(heading * std::numbers::pi / 180, std::numeric_limits<double>::infinity());
+  OrderedJson pixels = OrderedJson::array({nullptr, nullptr, nullptr});
+  if (file.projection && file.viewport) {
+    const auto found = horizonPixels(makeCamera(file), *ground);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i]) pixels[i] = asJson(*found[i]);
+  }
+  return {{"height", height},
+          {"dip", 0 - limit->elevation * 180 / std::numbers::pi},
+          {"distance", limit->distance},
+          {"pixels", pixels}};
+}
+
 struct InfoOptions {
   CameraOptions camera;
+  std::optional<double> height;
   std::optional<std::vector<double>> at;
   std::vector<ReadingKind> which;
   const NameRow<EulerOrder>* angles = nullptr;
@@ -278,7 +302,10 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
 
 int runCamera(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
-  if (cameras->chooseAll(pick).size() > 1) return runList(o, *cameras, pick);
+  if (cameras->chooseAll(pick).size() > 1) {
+    if (o.height) throw UsageError("--height tells the horizon of one camera; FILE#NAME picks it");
+    return runList(o, *cameras, pick);
+  }
   const std::size_t which = cameras->chooseAll(pick).front();
   const CameraFile file = o.camera.readOne(*cameras, which);
   o.camera.noteHandedness(file);
@@ -289,6 +316,7 @@ int runCamera(const InfoOptions& o) {
     if (!(distance > 0)) throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0");
   OrderedJson info = infoReport(file, cameras->nameOf(which), distances);
   if (o.angles) info["angles"] = anglesOf(*o.angles, readValues(file.document), *file.preset, file.pose);
+  if (o.height) info["horizon"] = horizonOf(file, *o.height);
   o.report.write(info);
   return 0;
 }
@@ -300,7 +328,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles;
+  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height;
   if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
     return writeProposal(o, proposal);
   const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
@@ -313,7 +341,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
 int runInfo(const InfoOptions& o) {
   constexpr std::size_t kMostBytes = 1 << 20;
   if (!o.which.empty()) {
-    if (o.camera.changesCamera() || o.at || o.angles)
+    if (o.camera.changesCamera() || o.at || o.angles || o.height)
       throw UsageError("--which is for matrices, and the other options for a camera");
     const auto name = o.camera.file();
     if (!name) throw UsageError("--which needs a FILE with matrices");
@@ -324,7 +352,7 @@ int runInfo(const InfoOptions& o) {
   } catch (const UnknownFile& unknown) {
     return runUnknown(o, unknown);
   } catch (const UnknownFormat& e) {
-    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles) throw;
+    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles || o.height) throw;
     return runMatrices(o, e.text, e.what());
   }
 }
@@ -348,6 +376,9 @@ Action declareInfo(CLI::App& app) {
       "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
+  addValue(app, "--height", "H", o->height,
+           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
+           "Tell the horizon of this height too, or of z = H");
   addOption(
       app, "--which", "KINDS",
       [o](const std::string& option, const std::string& text) {
@@ -366,8 +397,7 @@ Action declareInfo(CLI::App& app) {
           throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
         o->angles = row;
       },
-      "Tell the pose's angles too: of turns about the camera's axes, as YXZ, or as rpy (roll, pitch, yaw), unity, "
-      "unreal or opk list them");
+      "Tell the pose as turns about the camera's axes too, as YXZ, or of rpy, unity, unreal or opk");
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);

@@ -49,20 +49,6 @@ std::string numberText(const OrderedJson& value, int digits) {
 
 // ---- JSON
 
-/// On one line.
-std::string compactJson(const OrderedJson& value, int digits) {
-  if (hasNoValue(value)) return "null";
-  if (value.is_number()) return numberText(value, digits);
-  if (isScalar(value)) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-  std::string out(1, value.is_object() ? '{' : '[');
-  for (auto part = value.begin(); part != value.end(); ++part) {
-    if (part != value.begin()) out += ", ";
-    if (value.is_object()) out += OrderedJson(part.key()).dump() + ": ";
-    out += compactJson(*part, digits);
-  }
-  return out + (value.is_object() ? '}' : ']');
-}
-
 void appendJson(std::string& out, const OrderedJson& value, int digits, std::size_t level) {
   std::string line = compactJson(value, digits);
   if (isScalar(value) || value.empty() || isNumbers(value) || line.size() + level * kIndent <= kLongestLine) {
@@ -214,6 +200,19 @@ OrderedJson asJson(const Convention& c) {
           {"ndcZ", nameOf(kNdcZNames, c.ndcZ)},         {"reverseZ", c.reverseZ},
           {"ndcY", nameOf(kNdcYNames, c.ndcY)},         {"vectors", nameOf(kVectorsNames, c.vectors)},
           {"storage", nameOf(kStorageNames, c.storage)}};
+}
+
+std::string compactJson(const OrderedJson& value, int digits) {
+  if (hasNoValue(value)) return "null";
+  if (value.is_number()) return numberText(value, digits);
+  if (isScalar(value)) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  std::string out(1, value.is_object() ? '{' : '[');
+  for (auto part = value.begin(); part != value.end(); ++part) {
+    if (part != value.begin()) out += ", ";
+    if (value.is_object()) out += OrderedJson(part.key()).dump() + ": ";
+    out += compactJson(*part, digits);
+  }
+  return out + (value.is_object() ? '}' : ']');
 }
 
 std::string jsonText(const OrderedJson& value, int digits, std::size_t level) {

@@ -22,6 +22,9 @@ OrderedJson asJson(const Convention& convention);
 // digits: significant ones of every number; 0: the shortest text that reads back as the same double. What is not finite
 // has no value: null, an empty cell of CSV, or for people "-", or "infinite".
 
+/// On one line.
+std::string compactJson(const OrderedJson& value, int digits = 0);
+
 /// A value that fits is one line; a longer one has its members on lines of their own, indented by two blanks for each
 /// level from `level` on. Without a line break at the end.
 std::string jsonText(const OrderedJson& value, int digits = 0, std::size_t level = 0);

@@ -28,6 +28,7 @@ shows() {
     convert) pattern='camera_matrix: !!opencv-matrix' ;;
     check | mistakes) pattern='y-flipped' ;;
     info | camera) pattern='fovY  *60$' ;;
+    footprint) pattern='^area  *[1-9]' ;;
     explain) pattern='screen.x .* 687\.08' ;;
     depth) pattern='0\.90009' ;;
     measure) pattern='matrix float32 .*[1-9]' ;;
@@ -71,5 +72,5 @@ for command in $(viewproj help | sed -n '/^Topics/,/^$/s/^  \([a-z][a-z]*\) .*/\
   ran=$((ran + 1))
 done
 command=viewproj
-[ "$ran" -ge 18 ] || fail "only $ran commands are listed"
+[ "$ran" -ge 19 ] || fail "only $ran commands are listed"
 echo "$ran examples work"

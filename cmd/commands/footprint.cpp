@@ -1,0 +1,264 @@
+// viewproj footprint: what each camera's picture shows of the ground.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "commands/geojson.hpp"
+#include "commands/outline.hpp"
+#include "output/output_file.hpp"
+#include "records/arguments.hpp"
+#include "text/csv.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
+#include "text/system.hpp"
+#include "viewproj/geodesy.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+enum class FootprintForm : std::uint8_t { table, json, csv, geojson };
+
+struct FootprintOptions {
+  CameraOptions camera;
+  std::optional<double> height, most, error;
+  std::optional<PlaneEquation> plane;
+  FootprintForm form = FootprintForm::table;
+  std::optional<std::size_t> digits;
+
+  int digitsOf() const {
+    constexpr std::size_t kOfTable = 9;
+    return static_cast<int>(digits.value_or(form == FootprintForm::table ? kOfTable : 0));
+  }
+};
+
+/// A camera's outline, and what its numbers are of.
+struct Footprint {
+  OrderedJson name;
+  bool isOnEarth;
+  std::optional<double> height;
+  PlaneEquation plane;
+  Vec3 eye;
+  Outline outline;
+
+  /// lat, lon and height, or x, y and z.
+  OrderedJson placeOf(const Vec3& point) const {
+    if (!isOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
+    const Geodetic place = ecefToGeodetic(point);
+    return {{"lat", place.lat}, {"lon", place.lon}, {"height", *height}};
+  }
+  OrderedJson surface() const {
+    if (height) return {{"height", *height}};
+    const Vec3& n = plane.normal;
+    const double k = -plane.offset / (n.x * n.x + n.y * n.y + n.z * n.z);
+    return {{"plane", {{"point", {k * n.x + 0.0, k * n.y + 0.0, k * n.z + 0.0}}, {"normal", asJson(n)}}}};
+  }
+};
+
+/// The plane z = H in a local world.
+Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const std::string& name) {
+  const Camera camera = makeCamera(file);
+  const Vec3 eye = camera.pose().eye();
+  if (!o.height && !o.plane)
+    throw UsageError("--height H or --plane says which ground; the eye's own height is " +
+                     formatDigits(file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z, 6) +
+                     ", and --height 545 is the ground of height 545");
+  if (o.plane && file.worldIsEcef)
+    throw UsageError(
+        "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
+  if (file.worldIsEcef && camera.projection().isOrthographic())
+    file.fail("an outline on the Earth needs a perspective camera, and that of " + file.name + " is orthographic");
+  if (!file.worldIsEcef && o.form == FootprintForm::geojson)
+    file.fail("GeoJSON has longitudes and latitudes only, and the camera of " + file.name + " is not on the Earth");
+  const PlaneEquation plane = o.plane.value_or(PlaneEquation{{0, 0, 1}, -o.height.value_or(0)});
+  const auto ground =
+      file.worldIsEcef ? groundOfHeight(*o.height, eye) : groundOfPlane(plane.normal, plane.offset, eye);
+  const double most = o.most.value_or(std::numeric_limits<double>::infinity());
+  return {name.empty() ? OrderedJson() : OrderedJson(name),     file.worldIsEcef, o.height, plane, eye,
+          outlineOf(camera, *ground, most, o.error.value_or(0))};
+}
+
+OrderedJson samplingOf(const GroundSampling& gsd) { return gsd ? OrderedJson(*gsd) : OrderedJson(); }
+
+OrderedJson polygonOf(const Footprint& f, const OutlineRing& ring) {
+  OrderedJson polygon = OrderedJson::array();
+  for (const OutlineVertex& v : ring.vertices) {
+    polygon.push_back(f.placeOf(v.point));
+    polygon.back()["pixel"] = v.pixel ? asJson(*v.pixel) : OrderedJson();
+  }
+  return polygon;
+}
+
+OrderedJson reportOf(const Footprint& f) {
+  const Outline& outline = f.outline;
+  OrderedJson report{{"name", f.name}, {"surface", f.surface()}, {"cut", outline.cut}, {"center", nullptr}};
+  if (outline.center) {
+    report["center"] = f.placeOf(outline.center->point);
+    report["center"]["distance"] = outline.center->distance;
+  }
+  OrderedJson corners = OrderedJson::array();
+  for (const GroundSampling& gsd : outline.cornerGsd) corners.push_back(samplingOf(gsd));
+  report["gsd"] = {{"center", samplingOf(outline.gsd)}, {"corners", corners}};
+  report["area"] = outline.area;
+  report["error"] = outline.rings.empty() ? OrderedJson() : OrderedJson(outline.error);
+  report["polygon"] = nullptr;
+  OrderedJson polygons = OrderedJson::array(), holes = OrderedJson::array();
+  double largest = 0;
+  for (const OutlineRing& ring : outline.rings) {
+    (ring.isHole ? holes : polygons).push_back(polygonOf(f, ring));
+    if (ring.isHole || ring.area < largest) continue;
+    largest = ring.area;
+    report["polygon"] = polygons.back();
+  }
+  if (polygons.size() > 1) report["polygons"] = std::move(polygons);
+  if (!holes.empty()) report["holes"] = std::move(holes);
+  return report;
+}
+
+/// A row a vertex, or one without a place.
+std::string csvRows(const Footprint& f, int digits) {
+  const std::string name = f.name.is_string() ? quotedIfNeeded(f.name.get<std::string>()) : "";
+  if (f.outline.rings.empty()) return name + ",,,,,,,\n";
+  std::string rows;
+  for (std::size_t ring = 0; ring < f.outline.rings.size(); ++ring) {
+    const OutlineRing& each = f.outline.rings[ring];
+    std::size_t index = 0;
+    for (const OutlineVertex& v : each.vertices) {
+      rows += name + "," + std::to_string(index++);
+      for (const auto& number : f.placeOf(v.point)) rows += "," + formatNumber(toDigits(number.get<double>(), digits));
+      for (const double Vec2::*part : {&Vec2::x, &Vec2::y})
+        rows += "," + (v.pixel ? formatNumber(toDigits((*v.pixel).*part, digits)) : "");
+      rows += "," + (each.isHole ? "hole" : std::to_string(ring)) + "\n";
+    }
+  }
+  return rows;
+}
+
+/// RFC 7946: longitude, latitude, height.
+OrderedJson featureOf(const Footprint& f) {
+  const Outline& outline = f.outline;
+  OrderedJson polygons = OrderedJson::array();
+  const double pole = std::copysign(90, ecefToGeodetic(f.eye).lat);
+  for (const OutlineRing& ring : outline.rings) {
+    MapRing places;
+    for (const OutlineVertex& v : ring.vertices) places.push_back(v.place);
+    std::vector<MapRing> parts = mapRings(places, pole);
+    if (ring.isHole && (parts.size() > 1 || polygons.size() > 1))
+      throw InputError("the outline has a hole, and passes the antimeridian, which GeoJSON is not written for");
+    for (MapRing& part : parts) {
+      if (ring.isHole) std::reverse(part.begin(), part.end());
+      OrderedJson line = OrderedJson::array();
+      for (const Vec2& place : part) line.push_back({place.x, place.y, *f.height});
+      if (ring.isHole)
+        polygons.back().push_back(std::move(line));
+      else
+        polygons.push_back(OrderedJson::array({std::move(line)}));
+    }
+  }
+  OrderedJson geometry;
+  if (polygons.size() == 1) geometry = {{"type", "Polygon"}, {"coordinates", polygons[0]}};
+  if (polygons.size() > 1) geometry = {{"type", "MultiPolygon"}, {"coordinates", polygons}};
+  return {{"type", "Feature"},
+          {"properties",
+           {{"name", f.name}, {"cut", outline.cut}, {"area", outline.area}, {"gsd", samplingOf(outline.gsd)}}},
+          {"geometry", geometry}};
+}
+
+/// Writes footprints, one after the other, and what goes around them.
+class FootprintWriter {
+ public:
+  FootprintWriter(FootprintForm form, int digits) : form_(form), digits_(digits) {}
+
+  /// Throws InputError for one that the form has no place for; then nothing is written.
+  void write(const Footprint& f) {
+    if (form_ == FootprintForm::table) {
+      writeOutput((isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_));
+    } else if (form_ == FootprintForm::json) {
+      writeOutput(compactJson(reportOf(f), digits_) + "\n");
+    } else if (form_ == FootprintForm::geojson) {
+      const std::string feature = compactJson(featureOf(f), digits_);
+      writeOutput((isFirst_ ? kHead : std::string(",")) + "\n" + feature);
+    } else {
+      if (!isFirst_ && f.isOnEarth != isOnEarth_)
+        throw InputError("a table has places on the Earth, or positions, and the first camera decides");
+      const std::string head = f.isOnEarth ? "lat,lon,height" : "x,y,z";
+      writeOutput((isFirst_ ? "name,vertex," + head + ",pixel_x,pixel_y,ring\n" : "") + csvRows(f, digits_));
+    }
+    isFirst_ = false;
+    isOnEarth_ = f.isOnEarth;
+  }
+  void end() const {
+    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + "\n]}\n");
+  }
+
+ private:
+  static inline const std::string kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
+  FootprintForm form_;
+  int digits_;
+  bool isFirst_ = true, isOnEarth_ = false;
+};
+
+/// A camera without an outline has a message instead.
+int runFootprint(const FootprintOptions& o) {
+  int status = 0;
+  FootprintWriter writer(o.form, o.digitsOf());
+  for (const auto& [cameras, which] : o.camera.readFiles())
+    for (const std::size_t i : which) {
+      std::string place;
+      try {
+        const CameraFile file = o.camera.readOne(*cameras, i);
+        if (!file.isTyped) place = file.name + ": ";
+        const Json* const stated = valueAt(*file.document.root, "name");
+        const bool isNamed = stated && stated->is_string();
+        writer.write(footprintOf(o, file, isNamed ? stated->get<std::string>() : cameras->nameOf(i)));
+      } catch (const InputError& e) {
+        const std::string message = e.what();
+        complain(message.starts_with(place) ? message : place + message);
+        status = 1;
+      }
+    }
+  writer.end();
+  return status;
+}
+
+}  // namespace
+
+Action declareFootprint(CLI::App& app) {
+  const auto o = std::make_shared<FootprintOptions>();
+  app.description(
+      "What each picture shows of the ground: its outline as a polygon, the area, and the ground sampling distance, "
+      "metres a pixel, at the centre and the corners. Takes all cameras of the files, or those that #NAME picks. What "
+      "lies beyond the horizon or --max-distance is cut there, and `cut` says so.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj footprint --position lat=46.9481,lon=7.4474,height=640 \\\n"
+      "    --heading 212 --pitch -35 --fov-x 74 --viewport 5472x3648 --height 545\n"
+      "  viewproj footprint --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 640x480 --plane z=0 --max-distance 50 --to csv");
+  const auto aboveZero = [](double number) { return number > 0 && std::isfinite(number); };
+  addValue(app, "--height", "H", o->height,
+           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
+           "The ground: the Earth's surface of this height, or z = H");
+  addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0")
+      ->excludes("--height");
+  addValue(app, "--max-distance", "D", o->most, numberThat(aboveZero, "a distance above 0"),
+           "What is farther from the eye is cut (default: nothing)");
+  addValue(app, "--error", "E", o->error, numberThat(aboveZero, "a distance above 0"),
+           "How far the boundary may be from the line between two vertices (default: a thousandth of its extent)");
+  static constexpr FormRow<FootprintForm> kForms[] = {{"table", FootprintForm::table, ".txt"},
+                                                      {"json", FootprintForm::json, ".json .ndjson .jsonl"},
+                                                      {"csv", FootprintForm::csv, ".csv"},
+                                                      {"geojson", FootprintForm::geojson, ".geojson"}};
+  addForm(app, o->form, std::span<const FormRow<FootprintForm>>(kForms), "Output format");
+  addDigits(app, o->digits, "9 in a table, else all");
+  o->camera.addFiles(app);
+  o->camera.add(app);
+  o->camera.addConvention(app);
+  return [o] { return runFootprint(*o); };
+}
+
+}  // namespace viewproj::cmd
