@@ -73,7 +73,7 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
      "order degrees"},
     {Kind::rigid, "M", "4 rows of 4, {rotation, translation}, or a list of poses",
      R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]},
-         {"type": "array", "minItems": 1, "items": {"type": ["object", "array"]}}]})", false,
+         {"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "object"}, {"type": "array"}]}}]})", false,
      "rotation rotationVector euler translation"},
     {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
     {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  // members: read_lens.cpp

@@ -71,15 +71,6 @@ OrderedJson forPeople(OrderedJson report) {
   return report;
 }
 
-/// The text of the record's field that names its camera.
-std::string cameraNameIn(const RecordView& record, const std::string& field) {
-  const auto at = record.schema->find(field);
-  if (!at) throw RecordError(0, "has no field '" + field + "', which --camera-by names" + fieldsNote(*record.schema));
-  const std::string_view text = record.values[*at];
-  if (record.schema->form == Form::csv) return std::string(trimmed(csvValue(text)));
-  return text.starts_with('"') ? OrderedJson::parse(text).get<std::string>() : std::string(text);
-}
-
 struct CheckOptions {
   CameraOptions camera;
   std::optional<std::string> cameraBy;
@@ -99,11 +90,12 @@ int runCheck(const CheckOptions& o) {
     setup.given[i].json = "{\"position\":" + setup.given[i].json + ",\"pixel\":[" + x + "," + y + "]}";
   }
   o.stream.reads(setup);
-  const auto [cameras, pick] = o.camera.readAll();
-  const CameraFile file = o.camera.readOne(*cameras, o.cameraBy ? 0 : cameras->choose(pick));
+  const auto set = o.camera.readAll();
+  const CameraSet& cameras = *set.first;
+  const CameraFile file = o.camera.readOne(cameras, o.cameraBy ? 0 : cameras.choose(set.second));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  mistakes::SetReport set(o.within);
+  mistakes::SetReport all(o.within);
   std::optional<mistakes::PairReport> one;
   if (!o.cameraBy) one.emplace(file, o.within);
   const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
@@ -113,21 +105,21 @@ int runCheck(const CheckOptions& o) {
       one->add(point, pixel, line);
       return;
     }
-    const std::string name = cameraNameIn(record, *o.cameraBy);
-    const auto which = cameras->find(name);
+    const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
+    const auto which = cameras.find(name);
     if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
     const auto read = [&] {
-      CameraFile each = o.camera.readOne(*cameras, *which);
+      CameraFile each = o.camera.readOne(cameras, *which);
       if (each.worldIsEcef != file.worldIsEcef)
         throw InputError(each.name + ": expected all cameras on the Earth, or none");
-      return std::pair(cameras->pickOf(*which), std::move(each));
+      return std::pair(cameras.pickOf(*which), std::move(each));
     };
-    set.add(*which, read, point, pixel, line);
+    all.add(*which, read, point, pixel, line);
   };
   const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
-  if ((one ? one->records() : set.records()) == 0)
+  if ((one ? one->records() : all.records()) == 0)
     throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = one ? one->report() : set.report();
+  const OrderedJson report = one ? one->report() : all.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }

@@ -145,7 +145,7 @@ class PictureRecords {
       content_.segments.push_back({name, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
     } else if (!isPoint(plan)) {
       std::visit(
-          [&](const auto& shape) {
+          [&, &name = name](const auto& shape) {
             if constexpr (!requires { shape.x; }) content_.shapes.push_back({name, shape});
           },
           toShape(plan, n));

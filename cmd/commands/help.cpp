@@ -57,7 +57,7 @@ std::string fieldRows(const IsListed& isListed) {
     names = options = "";
   };
   for (const Field& field : kFields) {
-    if (!isListed(field)) continue;
+    if (!isListed(field) || field.kind == Kind::zero) continue;  // what may only be 0 says nothing
     if (!previous || previous->help != field.help) flush();
     previous = &field;
     names += (names.empty() ? "" : ", ") + std::string(field.path.substr(field.path.find('.') + 1));

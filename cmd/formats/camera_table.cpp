@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "camera/field_columns.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_lens.hpp"
 #include "camera/values.hpp"
@@ -18,19 +19,6 @@
 namespace viewproj::cmd {
 namespace table {
 
-/// Columns that are named in short, by their fields.
-constexpr std::string_view kShort[][2] = {{"position.x", "x"},
-                                          {"position.y", "y"},
-                                          {"position.z", "z"},
-                                          {"position.lat", "lat latitude"},
-                                          {"position.lon", "lon lng longitude"},
-                                          {"position.height", "alt altitude elevation"},
-                                          {"rotation.x", "qx"},
-                                          {"rotation.y", "qy"},
-                                          {"rotation.z", "qz"},
-                                          {"rotation.w", "qw"},
-                                          {"heading", "yaw"},
-                                          {"distortion.model", "model camera_model distortion_model"}};
 /// The first of these names the camera.
 constexpr std::string_view kNameColumns = "name camera image file FileName label id time";
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
@@ -54,19 +42,8 @@ std::string_view coefficientOf(std::string_view column) {
 
 /// Where the value of a column stands in our document; empty: it is no field of ours.
 std::string pathOf(std::string_view column, bool isOnEarth) {
-  for (const auto& [path, names] : kShort)
-    if (isWord(column, names)) return std::string(path);
-  if (column == "height" && isOnEarth) return "position.height";
-  if (column == "name" || column == "$schema") return "";
-  const std::size_t dot = std::min(column.rfind('.'), column.size());
-  const bool isPart = isWord(column.substr(dot), ".x .y .z .w .lat .lon .height");
-  for (const Field& field : kFields) {
-    if (field.path == column) return std::string(column);
-    if (field.path == column.substr(0, dot) && isPart) return std::string(column);
-    const bool isShort = field.path.starts_with("projection.") && shortName(field) == column;
-    if (isShort && !isWord(column, "width height type matrix")) return std::string(field.path);
-  }
-  return column == "distortion.model" ? std::string(column) : "";
+  if (isWord(column, "distortion.model model camera_model distortion_model")) return "distortion.model";
+  return pathOfColumn(column, isOnEarth);
 }
 
 bool isOnEarth(const Json& row) {

@@ -112,7 +112,7 @@ std::vector<WrittenFile> writeKitti(std::span<const WrittenCamera> cameras, std:
     const Intrinsics k = cameras[i].intrinsics(0);
     const auto m = cameraFromWorld(cameras[i]);
     text += "P" + std::to_string(i) + ":";
-    for (const auto& [f, c, row] : {std::tuple(k.fx, k.cx, 0), {k.fy, k.cy, 4}, {0.0, 1.0, 8}})
+    for (const auto& [f, c, row] : {std::tuple(k.fx, k.cx, std::size_t{0}), {k.fy, k.cy, 4}, {0.0, 1.0, 8}})
       for (std::size_t j = 0; j < 4; ++j)
         text += " " + formatNumber(rounded(twoProd(f, m[row + j]) + twoProd(c, m[8 + j])));
     text += "\n";

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "camera/fields.hpp"
+#include "camera/field_columns.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_pose.hpp"
 #include "output/record_writer.hpp"
@@ -19,56 +19,7 @@
 namespace viewproj::cmd {
 namespace {
 
-// ---- Fields that name a camera
-
-/// The field of --camera-by: a name, or the number of one without a name.
-std::size_t fieldNamed(const std::string& name, const RecordView& record) {
-  const Schema& schema = *record.schema;
-  const bool isCsv = schema.form == Form::csv, hasNames = !schema.isArray && (!isCsv || schema.hasHeader);
-  if (hasNames)
-    if (const auto field = schema.find(name)) return *field;
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool isNumber = error == std::errc() && end == name.data() + name.size() && number > 0;
-  if (isNumber && (!hasNames || isCsv) && number <= schema.size) return number - 1;
-  const std::string what = isCsv ? "column " : schema.isArray ? "number " : "field ";
-  throw RecordError(0, "has no " + what + visible(name) + ", which --camera-by names" +
-                           (hasNames ? fieldsNote(schema) : "; fields without names have numbers, from 1"));
-}
-
 // ---- Fields of a camera
-
-constexpr std::string_view kEnds[] = {".x", ".y", ".z", ".w", ".lat", ".lon", ".height"};
-/// Columns that are named in short.
-constexpr std::pair<std::string_view, std::string_view> kShort[] = {
-    {"x", "position.x"},          {"y", "position.y"},  {"z", "position.z"},          {"lat", "position.lat"},
-    {"lon", "position.lon"},      {"qx", "rotation.x"}, {"qy", "rotation.y"},         {"qz", "rotation.z"},
-    {"qw", "rotation.w"},         {"yaw", "heading"},   {"latitude", "position.lat"}, {"lng", "position.lon"},
-    {"longitude", "position.lon"}};
-/// Members of the projection that have no other meaning.
-constexpr std::string_view kLens[] = {"fovY", "fovX", "fovDiagonal", "focalLength", "sensorWidth", "sensorHeight",
-                                      "fx",   "fy",   "cx",          "cy",          "near",        "far"};
-
-template <class Names>
-bool contains(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
-/// Where the value of a field stands in our document; empty: it is none of ours.
-std::string pathOf(std::string_view name, bool hasPlace) {
-  for (const auto& [column, path] : kShort)
-    if (column == name) return std::string(path);
-  if (name == "height") return hasPlace ? "position.height" : "";
-  if (contains(kLens, name)) return "projection." + std::string(name);
-  if (name == "name" || name == "$schema") return "";
-  const std::string_view top = name.substr(0, name.find('.'));
-  const std::size_t dot = std::min(name.rfind('.'), name.size());
-  for (const Field& field : kFields)
-    if (field.path == name || (field.path == name.substr(0, dot) && contains(kEnds, name.substr(dot))) ||
-        (top == name && topName(field) == name && (name == "projection" || name == "viewport")))
-      return std::string(name);
-  return "";
-}
 
 Json& placeAt(Json& root, std::string_view path) {
   Json* at = &root;
@@ -115,6 +66,28 @@ Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
 }
 
 }  // namespace
+
+std::size_t cameraFieldOf(const std::string& name, const RecordView& record) {
+  const Schema& schema = *record.schema;
+  const bool isCsv = schema.form == Form::csv, hasNames = !schema.isArray && (!isCsv || schema.hasHeader);
+  if (hasNames)
+    if (const auto field = schema.find(name)) return *field;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool isNumber = error == std::errc() && end == name.data() + name.size() && number > 0;
+  if (isNumber && (!hasNames || isCsv) && number <= schema.size) return number - 1;
+  const std::string what = isCsv ? "column " : schema.isArray ? "number " : "field ";
+  throw RecordError(0, "has no " + what + visible(name) + ", which --camera-by names" +
+                           (hasNames ? fieldsNote(schema) : "; fields without names have numbers, from 1"));
+}
+
+std::string cameraNameAt(const RecordView& record, std::size_t field) {
+  const Form form = record.schema->form;
+  if (isBinary(form)) return formatNumber(binaryNumbers(form, record.text)[field]);
+  const std::string_view value = record.values[field];
+  const bool isName = form != Form::json || value.starts_with('"') || beginsJsonNumber(value[0]);
+  return isName ? std::string(trimmed(plainText(record, field))) : "";
+}
 
 RecordCamera::RecordCamera(const Camera& of) : camera(of), convention(of.convention()) {
   if (!lensOf(camera)) frustum = viewFrustum(camera);
@@ -200,7 +173,7 @@ const RecordCamera& RecordCameras::cameraOf(std::size_t which) const {
 }
 
 std::vector<CameraField> RecordCameras::locate(const RecordView& record, const NumberPlan& plan) const {
-  if (setup_.choice == CameraChoice::named) return {{fieldNamed(setup_.field, record)}};
+  if (setup_.choice == CameraChoice::named) return {{cameraFieldOf(setup_.field, record)}};
   if (setup_.choice != CameraChoice::own) return {};
   const Schema& schema = *record.schema;
   if (schema.isArray || (schema.form == Form::csv && !schema.hasHeader))
@@ -210,11 +183,13 @@ std::vector<CameraField> RecordCameras::locate(const RecordView& record, const N
     return std::any_of(plan.fields.begin(), plan.fields.end(),
                        [&](const NumberField& used) { return used.field == i; });
   };
-  const auto isLat = [&](std::size_t i) { return !isUsed(i) && pathOf(schema.names[i], false) == "position.lat"; };
+  const auto isLat = [&](std::size_t i) {
+    return !isUsed(i) && pathOfColumn(schema.names[i], false) == "position.lat";
+  };
   bool hasPlace = false;
   for (std::size_t i = 0; i < schema.names.size(); ++i) hasPlace = hasPlace || isLat(i);
   for (std::size_t i = 0; i < schema.names.size(); ++i)
-    if (const std::string path = isUsed(i) ? "" : pathOf(schema.names[i], hasPlace); !path.empty())
+    if (const std::string path = isUsed(i) ? "" : pathOfColumn(schema.names[i], hasPlace); !path.empty())
       fields.push_back({i, path});
   if (fields.empty())
     throw RecordError(0, "has no field of a camera, such as heading, target.x or fovY" + fieldsNote(schema));
@@ -272,11 +247,8 @@ std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& reco
       text_ += '\n';
       text_ += std::to_string(&field - fields.data()) + field.path;
     }
-  else if (isBinary(record.schema->form))
-    text_ = formatNumber(binaryNumbers(record.schema->form, record.text)[fields.front().field]);
-  else if (const std::string_view value = record.values[fields.front().field];
-           record.schema->form != Form::json || value.starts_with('"') || beginsJsonNumber(value[0]))
-    text_ = trimmed(plainText(record, fields.front().field));
+  else
+    text_ = cameraNameAt(record, fields.front().field);
   if (!last_ || text_ != lastText_) {
     last_ = nullptr;
     if (choice == CameraChoice::named)

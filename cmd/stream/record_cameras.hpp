@@ -38,6 +38,11 @@ struct CameraField {
   std::string path = {};
 };
 
+/// The field that --camera-by names: by its name, or by its number where fields have none. Throws RecordError.
+std::size_t cameraFieldOf(const std::string& name, const RecordView& record);
+/// The camera that a record names in this field; empty where the value is no name.
+std::string cameraNameAt(const RecordView& record, std::size_t field);
+
 enum class CameraChoice : unsigned char { one, named, own, each };
 
 /// Any number of threads may use it.

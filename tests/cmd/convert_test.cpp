@@ -68,7 +68,7 @@ Json randomPose(Random& random, const Writer& writer) {
   if (random.oneIn(4)) return {{"position", place}, {"target", {0, 0, 0}}, {"up", {q[0], q[1], q[2]}}};
   if (random.oneIn(3)) return {{"position", place}, {"rotation", q}};
   if (!has(writer, kQuaternions) && writer.name != "kitti" && random.coin()) {
-    const Pose pose = poseFromRotation(eye, {q[0], q[1], q[2], q[3]}, CameraAxes::RUB, Handedness::right);
+    const Pose pose = poseFromRotation(eye, {q[0], q[1], q[2], q[3]}, CameraAxes::RUB);
     Json rows = Json::array();
     for (std::size_t i = 0; i < 3; ++i) {
       rows.push_back({pose.right()[i], pose.up()[i], -pose.forward()[i], eye[i]});
@@ -167,7 +167,7 @@ TEST_CASE("what is written reads back to the same pixels") {
       Opening opening{.option = "FILE"};
       if (isOnImu) opening.pick = "imu/*";
       if (has(writer, kPosesAlone)) {
-        opening.poses = file;
+        opening.poses = {file};
         opening.direction = "worldFromCamera";
       }
       const auto set = has(writer, kPosesAlone) ? openPoses(opening, {})
