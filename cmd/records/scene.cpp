@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "camera/read_camera.hpp"
 #include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "numbers/vectors.hpp"
@@ -134,7 +135,9 @@ std::vector<SceneHit> hitsOf(const Camera& camera, const Ray& ray, const std::ve
       const Ray one{ray.origin, {sign * d.x, sign * d.y, sign * d.z}};
       for (Hit hit : std::visit([&](const auto& shape) { return intersect(one, shape); }, object.shape)) {
         const double z = worldToScreen(camera, hit.point).viewDistance, along = std::isnan(z) ? HUGE_VAL : z;
-        if (!(along >= projection.zNear() && along <= projection.zFar())) continue;
+        // Without a near plane, a lens may see behind the eye.
+        if (hasDepth(projection) && !(along >= projection.zNear())) continue;
+        if (!(along <= projection.zFar())) continue;
         if (sign < 0 && hit.distance == 0) continue;  // found already
         const auto* const sphere = std::get_if<Sphere>(&object.shape);
         if (sphere && sphere->radius == 0) hit.normal = {0 - d.x, 0 - d.y, 0 - d.z};
