@@ -51,7 +51,7 @@ targets=${FUZZ_TARGETS:-camera scene model matrices json csv text f64 arguments}
 # How the executions are shared out: most to those that cost least.
 share() {
   case $1 in
-    matrices) echo 140 ;;
+    matrices) echo 40 ;;
     model | scene | camera) echo 70 ;;
     f64 | text) echo 20 ;;
     csv | json) echo 10 ;;
