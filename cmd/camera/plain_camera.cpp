@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "camera/plain_vectors.hpp"
 #include "camera/read_pose.hpp"
 #include "viewproj/matrices.hpp"
 
@@ -21,8 +22,6 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kRounding = 1e-12;
 
 Json listOf(const Vec3& v) { return {v.x, v.y, v.z}; }
-Vec3 scaled(const Vec3& v, double factor) { return {factor * v.x + 0.0, factor * v.y + 0.0, factor * v.z + 0.0}; }
-double lengthOf(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 double dotOf(const Vec3& a, const Vec3& b) { return dot(toDoubleDouble(a), toDoubleDouble(b)).hi; }
 
 /// The axis of a letter of RUB, FRD ...
@@ -56,17 +55,6 @@ Vec3 turnsOf(const PlainColumns& c, const std::array<std::size_t, 3>& axis) {
     last = std::atan2(-e * r(i, j), r(i, i));
   }
   return {first * kDegrees, middle * kDegrees, last * kDegrees};
-}
-
-/// East, north and up at an eye.
-struct LocalAxes {
-  Vec3 east{1, 0, 0}, north{0, 1, 0}, up{0, 0, 1};
-};
-LocalAxes localAxes(const Geodetic& place) {
-  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
-  return {{-std::sin(lon), std::cos(lon), 0},
-          {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
-          {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
 }
 
 // ---- Poses in the document's form
@@ -108,7 +96,7 @@ void putLook(Json& root, const FieldValues& values, const CameraFile& camera, co
     const Vec3 ahead = scaled(pose.forward, *camera.targetDistance);
     root["target"] = {eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
   } else {
-    root["direction"] = listOf(scaled(pose.forward, lengthOf(*values.find<Vec3>("direction"))));
+    root["direction"] = listOf(scaled(pose.forward, length(*values.find<Vec3>("direction"))));
   }
   try {
     const Handedness hand = camera.convention.world;
@@ -117,7 +105,7 @@ void putLook(Json& root, const FieldValues& values, const CameraFile& camera, co
     const Pose upright = isNormal ? lookAlongOnEarth(eye, pose.forward, ecefToGeodetic(eye), hand)
                                   : lookAlong(eye, pose.forward, usual, hand);
     const Vec3 above = upright.up();
-    if (lengthOf({above.x - pose.up.x, above.y - pose.up.y, above.z - pose.up.z}) <= kRounding) return;
+    if (apart(above, pose.up) <= kRounding) return;
   } catch (const CameraError&) {  // straight up or down
   }
   root["up"] = listOf(pose.up);
@@ -227,6 +215,12 @@ struct WindowWriter {
 }  // namespace
 
 PlainPose plainPose(const Pose& pose) { return {pose.eye(), pose.right(), pose.up(), pose.forward()}; }
+
+LocalAxes localAxes(const Geodetic& place) {
+  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
+  const double sp = std::sin(lat), cp = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
+  return {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
+}
 
 PlainRigid worldFromCamera(const PlainPose& pose, CameraAxes axes) {
   const std::string_view name = nameOf(kCameraAxesNames, axes);

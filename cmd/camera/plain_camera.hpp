@@ -16,6 +16,12 @@ struct PlainPose {
 };
 PlainPose plainPose(const Pose& pose);
 
+/// East, north and up at a place, in double. (ellipsoidNormal has more digits, and takes a hundred times as long.)
+struct LocalAxes {
+  Vec3 east{1, 0, 0}, north{0, 1, 0}, up{0, 0, 1};
+};
+LocalAxes localAxes(const Geodetic& place);
+
 /// The columns of a rotation, and a translation: x -> c[0] x + c[1] y + c[2] z + translation.
 using PlainColumns = std::array<Vec3, 3>;
 struct PlainRigid {

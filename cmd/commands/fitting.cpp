@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/change_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -18,7 +19,6 @@ namespace {
 DDVec3 difference(const Vec3& a, const Vec3& b) { return toDoubleDouble(a) + -toDoubleDouble(b); }
 double along(const Vec3& normal, const DDVec3& v) { return dot(toDoubleDouble(normal), v).hi; }
 double along(const Vec3& normal, const Vec3& v) { return along(normal, toDoubleDouble(v)); }
-Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
 double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "commands/vector_sums.hpp"
+#include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
 #include "records/scene.hpp"
 #include "text/error.hpp"
@@ -21,15 +22,8 @@ struct EyeAxes {
   Vec3 aside, ahead, up;
 
   Vec3 level(double azimuth) const { return sum(sum({}, std::sin(azimuth), aside), std::cos(azimuth), ahead); }
-  double azimuthOf(const Vec3& d) const { return std::atan2(along(d, aside), along(d, ahead)); }
+  double azimuthOf(const Vec3& d) const { return std::atan2(detail::dot(d, aside), detail::dot(d, ahead)); }
 };
-
-/// East, north and up. (ellipsoidNormal has more digits, and takes a hundred times as long.)
-EyeAxes axesAt(const Geodetic& place) {
-  const double lat = place.lat * kRadian, lon = place.lon * kRadian;
-  const double sp = std::sin(lat), cp = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
-  return {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
-}
 
 /// The surface of a height. Its formulas are those of curves on the ellipsoid: a and b its semi-axes, e its
 /// eccentricity, M and N its radii of curvature along and across the meridian.
@@ -41,7 +35,8 @@ class HeightGround final : public Ground {
     isAbove_ = foot_.height > height;
     // What a camera on the ground stands on does not hide; below the ellipsoid the ground is lower too.
     hiding_ = isAbove_ ? height : std::min(0.0, foot_.height - 1);
-    axes_ = axesAt(foot_);
+    const auto& [east, north, up] = localAxes(foot_);
+    axes_ = {east, north, up};
   }
 
   std::optional<Seen> hit(const Ray& ray) const override {
@@ -104,10 +99,10 @@ class HeightGround final : public Ground {
   }
   /// Where the ray is lowest: Newton's method on its slope.
   double lowest(const Vec3& d) const {
-    double t = -along(eye_, d);
+    double t = -detail::dot(eye_, d);
     for (int i = 0; i < kSteps; ++i) {
       const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
-      const double slope = along(axesAt(place).up, d), s = std::sin(place.lat * kRadian);
+      const double slope = detail::dot(localAxes(place).up, d), s = std::sin(place.lat * kRadian);
       const double n = kA / std::sqrt(1 - kE2 * s * s);
       const double step = slope * (n + place.height) / std::max(1 - slope * slope, 1e-3);
       t -= step;
@@ -122,7 +117,7 @@ class HeightGround final : public Ground {
       const Vec3 d = direction(azimuth, e);
       t = lowest(d);
       const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
-      const double step = (place.height - hiding_) / (t * along(axesAt(place).up, rising(azimuth, e)));
+      const double step = (place.height - hiding_) / (t * detail::dot(localAxes(place).up, rising(azimuth, e)));
       e -= step;
       if (std::fabs(step) < 1e-16) break;
     }
@@ -134,7 +129,7 @@ class HeightGround final : public Ground {
     double e = std::asin(std::clamp(rise / (2 * (kA + h) * distance), -1.0, 1.0));
     for (int i = 0; i < kSteps; ++i) {
       const Geodetic place = ecefToGeodetic(sum(eye_, distance, direction(azimuth, e)));
-      const double slope = distance * along(axesAt(place).up, rising(azimuth, e));
+      const double slope = distance * detail::dot(localAxes(place).up, rising(azimuth, e));
       const double step = std::clamp((place.height - height_) / slope, -0.2, 0.2);
       if (!std::isfinite(step)) break;
       e -= step;
@@ -155,16 +150,15 @@ class HeightGround final : public Ground {
 class PlaneGround final : public Ground {
  public:
   PlaneGround(const Vec3& normal, double offset, const Vec3& eye) : plane_{normal, offset} {
-    const double length = lengthOf(normal);
-    Vec3 up = sum({}, 1 / length, normal);
-    height_ = along(up, eye) + offset / length;
+    Vec3 up = unit(normal);
+    height_ = detail::dot(up, eye) + offset / length(normal);
     if (height_ == 0) throw InputError("the eye is on the plane; no outline has a size there");
     if (height_ < 0) up = sum({}, -1, up);
     foot_ = sum(eye, -std::fabs(height_), up);
     height_ = std::fabs(height_);
     const Vec3 other = std::fabs(up.z) > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-    const Vec3 level = sum(other, -along(other, up), up);
-    const Vec3 aside = sum({}, 1 / lengthOf(level), level);
+    const Vec3 level = sum(other, -detail::dot(other, up), up);
+    const Vec3 aside = unit(level);
     axes_ = {aside, detail::crossOf(up, aside), up};
   }
 
@@ -184,7 +178,7 @@ class PlaneGround final : public Ground {
   double turning() const override { return 1; }
   Vec2 placeOf(const Vec3& point) const override {
     const Vec3 from = sum(point, -1, foot_);
-    return {along(from, axes_.aside), along(from, axes_.ahead)};
+    return {detail::dot(from, axes_.aside), detail::dot(from, axes_.ahead)};
   }
   Vec2 way(const Vec2& from, const Vec2& to) const override { return {to.x - from.x, to.y - from.y}; }
   Vec2 scaleAt(const Vec2&) const override { return {1, 1}; }

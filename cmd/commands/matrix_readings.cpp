@@ -6,6 +6,7 @@
 #include <numbers>
 #include <regex>
 
+#include "camera/plain_vectors.hpp"
 #include "commands/printed_digits.hpp"
 #include "numbers/vectors.hpp"
 #include "text/number.hpp"
@@ -20,7 +21,6 @@ constexpr double kRightAngle = 1e-3;  ///< off by so much in a camera of exact e
 constexpr double kBlind = 0.2;        ///< a test of right angles that lets more pass is none
 constexpr double kFewestPixels = 20;  ///< a smaller focal length is in half widths
 
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 Vec3 times(const Vec3& v, double by) { return {v.x * by, v.y * by, v.z * by}; }
 Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -8,7 +8,7 @@
 #include <set>
 #include <string_view>
 
-#include "commands/vector_sums.hpp"
+#include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -43,7 +43,7 @@ class Tracer {
     center_ = {(first.x + last.x) / 2, (first.y + last.y) / 2};
     const auto d = [&](double x, double y) { return screenToRay(camera, {center_.x + x, center_.y + y}).direction; };
     const double down = fromTop ? 1 : -1;
-    isMirrored_ = along(detail::crossOf(d(0, 0), d(1, 0)), d(0, down)) < 0;
+    isMirrored_ = detail::dot(detail::crossOf(d(0, 0), d(1, 0)), d(0, down)) < 0;
   }
 
   std::array<std::optional<Vec2>, 3> horizonPixels() {
@@ -151,7 +151,7 @@ class Tracer {
     const auto first = see(p), last = see(q);
     if (!first || !last) return std::nullopt;
     const Vec3 origins = sum(p.origin, -1, q.origin);
-    return lengthOf(sum(sum(origins, first->distance, p.direction), -last->distance, q.direction));
+    return length(sum(sum(origins, first->distance, p.direction), -last->distance, q.direction));
   }
   GroundSampling sampling(const Vec2& at) {
     const auto across = between({at.x - 0.5, at.y}, {at.x + 0.5, at.y});

@@ -4,15 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "camera/plain_vectors.hpp"
 #include "picture/flat.hpp"
 #include "records/scene.hpp"
 #include "viewproj/lens.hpp"
 
 namespace viewproj::cmd {
 
-inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
-inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
-inline Vec3 unit(const Vec3& a) { return sum({}, 1 / length(a), a); }
 inline Vec4 pointOf(const Vec3& a) { return {a.x, a.y, a.z, 1}; }
 inline Vec4 directionOf(const Vec3& a) { return {a.x, a.y, a.z, 0}; }
 inline Vec3 cornerOf(const Box& box, int i) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
 #include "viewproj/camera.hpp"
 #include "viewproj/lens.hpp"
@@ -25,9 +26,7 @@ inline Rows operator*(const Rows& a, const Rows& b) {
   const Rows t = transposed(b);
   return {t * a[0], t * a[1], t * a[2]};
 }
-inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
-inline Vec3 scaled(const Vec3& a, double k) { return {k * a.x, k * a.y, k * a.z}; }
-inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+using cmd::length;
 inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
 /// About the vector, by its length in radians.
