@@ -75,10 +75,18 @@ std::vector<std::string_view> wordsOf() {
   return names;
 }
 
+/// The row of a name, or null.
+template <class Table>
+const auto* rowNamed(const Table& table, std::string_view name) {
+  const auto row =
+      std::find_if(std::begin(table), std::end(table), [&](const auto& each) { return each.first == name; });
+  return row == std::end(table) ? nullptr : &*row;
+}
+
 /// The value of a name. The table must have it.
 template <class Table>
 auto valueOf(const Table& table, std::string_view name) {
-  return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.first == name; })->second;
+  return rowNamed(table, name)->second;
 }
 
 /// The name of a value. The table must have it.

@@ -13,6 +13,9 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
+/// Of the world that a rotation of these camera axes fits.
+Handedness worldOfAxes(CameraAxes axes) { return poseFromRotation({}, {}, axes).world(); }
+
 /// The pose of worldFromCamera or cameraFromWorld, in any of their forms. eye: used instead of the matrix's own.
 Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes) {
   if (const Mat4* const matrix = std::get_if<Mat4>(&value.rotation)) {
@@ -39,10 +42,10 @@ struct PoseReader {
   Pose inThisWorld(FieldId field, CameraAxes axes, const Pose& pose) const {
     if (pose.world() == hand) return pose;
     const auto handed = [](Handedness h) { return std::string(nameOf(kWorldNames, h)) + "-handed"; };
-    const bool isLeftHanded = axes == CameraAxes::RUF || axes == CameraAxes::FRU;
     values.fail(field, "makes the world " + handed(pose.world()) + " with cameraAxes " +
                            std::string(nameOf(kCameraAxesNames, axes)) + ", and the convention's is " + handed(hand) +
-                           "; cameraAxes " + (isLeftHanded ? "RUB or RDF" : "RUF or FRU") + " would fit");
+                           "; cameraAxes " + (worldOfAxes(axes) == Handedness::left ? "RUB or RDF" : "RUF or FRU") +
+                           " would fit");
   }
 
   Pose turned(const Position& position) const {
@@ -99,7 +102,7 @@ std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& va
   const auto* const stated = values.find<std::string_view>("cameraAxes");
   if (stated && *stated != axes)
     return std::string(name) + " turns the axes " + std::string(axes) + ", and cameraAxes is " + std::string(*stated);
-  const Handedness own = *of.cameraAxes == CameraAxes::FRU ? Handedness::left : Handedness::right;
+  const Handedness own = worldOfAxes(*of.cameraAxes);
   if (own == world) return "";
   return std::string(name) + " is of a " + std::string(nameOf(kWorldNames, own)) +
          "-handed world, and the convention's is " + std::string(nameOf(kWorldNames, world)) + "-handed";

@@ -92,9 +92,11 @@ Rigid inverse(const Rigid& a) {
   return inverted;
 }
 
-Json rowsOf(const Rigid& a) {
+Mat4 matrixOf(const Rigid& a) {
   const Vec3 x = rounded(a.columns[0]), y = rounded(a.columns[1]), z = rounded(a.columns[2]), t = rounded(a.origin);
-  return {{x.x, y.x, z.x, t.x}, {x.y, y.y, z.y, t.y}, {x.z, y.z, z.z, t.z}, {0, 0, 0, 1}};
+  return {{{{x.x, y.x, z.x, t.x}, {x.y, y.y, z.y, t.y}, {x.z, y.z, z.z, t.z}, {0, 0, 0, 1}}}};
 }
+
+Json rowsOf(const Rigid& a) { return matrixOf(a).m; }
 
 }  // namespace viewproj::cmd

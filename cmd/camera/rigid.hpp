@@ -32,6 +32,7 @@ Rigid operator*(const Rigid& a, const Rigid& b);
 Rigid inverse(const Rigid& a);
 
 /// 4 rows of 4, each entry rounded once.
+Mat4 matrixOf(const Rigid& a);
 Json rowsOf(const Rigid& a);
 
 }  // namespace viewproj::cmd

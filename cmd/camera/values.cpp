@@ -91,9 +91,8 @@ EulerTurns readEuler(const Node& value) {
   if (!value.json().is_object()) value.fail("expected {\"order\", \"degrees\"}, as an option YXZ:30,20,0");
   allowMembers(value, wordsIn(rowOf(Kind::euler).members));
   const Node order = value.require("order"), degrees = value.require("degrees");
-  const auto* const row = std::find_if(std::begin(kEulerOrders), std::end(kEulerOrders),
-                                       [&](const auto& each) { return each.first == order.text(); });
-  if (row == std::end(kEulerOrders)) order.fail("expected three axes, such as YXZ, or one of rpy, unity, unreal, opk");
+  const auto* const row = rowNamed(kEulerOrders, order.text());
+  if (!row) order.fail("expected three axes, such as YXZ, or one of rpy, unity, unreal, opk");
   if (degrees.size() != 3) degrees.fail("expected three angles");
   const EulerOrder& as = row->second;
   EulerTurns euler{row, {}};
@@ -127,11 +126,7 @@ RigidTransform readRigid(const Node& value) {
   if (isChain(value.json())) {
     Rigid product;
     for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
-    Mat4 rows;
-    for (std::size_t i = 0; i < 3; ++i)
-      rows[i] = {product.columns[0][i].hi, product.columns[1][i].hi, product.columns[2][i].hi, product.origin[i].hi};
-    rows[3] = {0, 0, 0, 1};
-    return {rows, detail::rounded(product.origin)};
+    return {matrixOf(product), detail::rounded(product.origin)};
   }
   if (!value.json().is_object()) {
     // Numbers without rows may run by rows or by columns.

@@ -391,11 +391,9 @@ Action declareInfo(CLI::App& app) {
   addOption(
       app, "--angles", "ORDER",
       [o](const std::string& option, const std::string& text) {
-        const auto row = std::find_if(std::begin(kEulerOrders), std::end(kEulerOrders),
-                                      [&](const auto& each) { return each.first == text; });
-        if (row == std::end(kEulerOrders))
+        o->angles = rowNamed(kEulerOrders, text);
+        if (!o->angles)
           throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
-        o->angles = row;
       },
       "Tell the pose as turns about the camera's axes too, as YXZ, or of rpy, unity, unreal or opk");
   o->report.add(app, 9);
