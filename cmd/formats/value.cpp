@@ -299,8 +299,6 @@ std::vector<std::size_t> shapeOf(const Json& value) {
   return shape;
 }
 
-std::vector<std::string_view> coefficientNames() { return {std::begin(kCoefficients), std::end(kCoefficients)}; }
-
 std::vector<Part> parseParts(std::string_view line, const std::string& label) {
   std::vector<Part> parts;
   std::size_t at = 0;

@@ -79,9 +79,6 @@ struct Found {
   std::vector<Node> nodes{};                            ///< what was read
 };
 
-/// The names that "#" in a path stands for.
-std::vector<std::string_view> coefficientNames();
-
 /// The part's value; nothing if it is not in the file. Throws InputError naming part and path if some of it is missing
 /// or is no numbers. isText: the part is a text.
 std::optional<Found> find(const Node& root, const Part& part, std::string_view star, bool isText);
