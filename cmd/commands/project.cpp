@@ -34,7 +34,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 struct ProjectedPoint {
   const RecordCamera& from;
   const Camera& camera;
-  const Convention writing;  ///< of ndc, clip and view
+  const CameraOptions& options;  ///< say in which convention ndc, clip and view are
   const Vec4& point;
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
@@ -53,7 +53,7 @@ using P = const ProjectedPoint&;
 using V = ResultValues&;
 
 Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
-Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
+Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.options.writing(p.from.convention)); }
 /// From the eye to the point, of any length for a direction.
 Vec3 fromEye(P p) {
   const Vec3 eye = p.camera.pose().eye();
@@ -387,7 +387,7 @@ class Projector final : public RecordProcessor {
                  ResultValues& values) const {
     const RecordCamera& camera = *cameras_[i];
     const bool isPoint = items_[i] == kPoint || std::isfinite(points_[i].x);
-    const ProjectedPoint projected{camera,     camera.camera, how_.options.writing(camera.convention),
+    const ProjectedPoint projected{camera,     camera.camera, how_.options,
                                    points_[i], screen,        box,
                                    isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
     for (const PointResult* result : rows)
