@@ -140,6 +140,11 @@ CameraSet::CameraSet(const CameraPatches& patches)
   isTyped_ = true;
 }
 
+std::string CameraSet::nameOf(std::size_t which, const Document& read) const {
+  const Json* const stated = valueAt(*read.root, "name");
+  return stated && stated->is_string() ? stated->get<std::string>() : nameOf(which);
+}
+
 std::string CameraSet::pickOf(std::size_t which) const {
   const CameraEntry& camera = import_.cameras[which];
   const std::string number = std::to_string(which);

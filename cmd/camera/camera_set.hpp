@@ -77,6 +77,8 @@ class CameraSet {
   std::size_t size() const { return import_.cameras.size(); }
   /// The name in the file; empty if it has none.
   const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
+  /// The same of a document that was read of it: its own name, which options may have set, counts first.
+  std::string nameOf(std::size_t which, const Document& read) const;
   /// The shortest text after # that picks only this camera.
   std::string pickOf(std::size_t which) const;
   /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.

@@ -107,6 +107,16 @@ const Json* valueAt(const Json& root, std::string_view path) {
   return at;
 }
 
+Json& placeAt(Json& root, std::string_view path) {
+  Json* at = &root;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    at = &(*at)[std::string(path.substr(begin, end - begin))];
+    begin = end + 1;
+  }
+  return *at;
+}
+
 void normalize(Document& document) {
   Json& root = *document.root;
   if (!root.is_object()) throw InputError(document.name + ": expected a JSON object");

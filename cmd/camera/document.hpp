@@ -47,6 +47,8 @@ Document parseDocument(const std::string& name, std::string text);
 void normalize(Document& document);
 /// The value at a path of an object, or null.
 const Json* valueAt(const Json& root, std::string_view path);
+/// The same place to put a value. Objects on the way are made. Throws Json::exception if a value is in the way.
+Json& placeAt(Json& root, std::string_view path);
 
 /// A value of a document and its path, such as "projection.fovY". The document must outlive it.
 class Node {

@@ -31,14 +31,13 @@ struct Chosen {
   std::string name;
 };
 
-std::vector<Chosen> chosenOf(const ConvertOptions& o) {
+std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   const auto files = o.camera.readFiles();
   std::vector<Chosen> all;
   for (const auto& [cameras, which] : files)
     for (const std::size_t i : which) {
-      CameraFile file = o.camera.readOne(*cameras, i, o.form != "tum");
-      const Json* const stated = valueAt(*file.document.root, "name");
-      std::string name = stated && stated->is_string() ? stated->get<std::string>() : cameras->nameOf(i);
+      CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
+      std::string name = cameras->nameOf(i, file.document);
       // Of several files with a camera each, the file's name tells which it is.
       if (name.empty() && files.size() > 1 && which.size() == 1) name = pathOf(file.name).stem().string();
       all.push_back({o.world.mapped(file), std::move(name)});
@@ -68,12 +67,12 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   const auto row = std::find_if(writers().begin(), writers().end(), [&](const Writer& w) { return w.name == *o.form; });
   if (row != writers().end() && row->endings == "/" && output == "-")
     throw UsageError(std::string(row->name) + " has several files; -o FOLDER/ takes them");
-  std::vector<Chosen> chosen = chosenOf(o);
+  const bool needsPicture = row == writers().end() || (row->places & kPosesAlone) == 0;
+  std::vector<Chosen> chosen = chosenOf(o, needsPicture);
   if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
   const Writer& writer = *row;
   std::vector<WrittenCamera> cameras;
-  const bool isGraphics = writer.name == "gltf" || writer.name == "threejs";  // y is up there
-  if (isGraphics) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
+  if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
   return writer.write(cameras, endingOf(output));

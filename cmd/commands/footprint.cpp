@@ -212,9 +212,7 @@ int runFootprint(const FootprintOptions& o) {
       try {
         const CameraFile file = o.camera.readOne(*cameras, i);
         if (!file.isTyped) place = file.name + ": ";
-        const Json* const stated = valueAt(*file.document.root, "name");
-        const bool isNamed = stated && stated->is_string();
-        writer.write(footprintOf(o, file, isNamed ? stated->get<std::string>() : cameras->nameOf(i)));
+        writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
       } catch (const InputError& e) {
         const std::string message = e.what();
         complain(message.starts_with(place) ? message : place + message);

@@ -102,14 +102,8 @@ Json documentOf(const Node& row, const Paths& paths) {
       model = node.text();
       continue;
     }
-    Json* at = &fields;
-    for (std::size_t begin = 0; begin <= path.size();) {
-      const std::size_t end = std::min(path.find('.', begin), path.size());
-      at = &(*at)[path.substr(begin, end - begin)];
-      begin = end + 1;
-    }
     const auto number = numbersIn(cell);
-    *at = number && number->size() == 1 ? Json(number->front()) : cell;
+    placeAt(fields, path) = number && number->size() == 1 ? Json(number->front()) : cell;
   }
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};

@@ -151,8 +151,8 @@ std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std
     if (i == 0) continue;
     std::vector<double> link;
     const Rigid toWorld = rigidOf(worldFromCamera(cameras[i - 1], CameraAxes::RDF));
-    for (const Json& row : rowsOf(rigidOf(cameraFromWorld(camera)) * toWorld))
-      for (const Json& entry : row) link.push_back(entry);
+    const Mat4 toThis = matrixOf(rigidOf(cameraFromWorld(camera)) * toWorld);
+    for (std::size_t row = 0; row < 3; ++row) link.insert(link.end(), toThis[row].begin(), toThis[row].end());
     matrix("T_cn_cnm1", link);
   }
   return {{"", text, isOnImu ? "the world is written as the IMU's, by T_cam_imu; FILE#imu/cam0 reads it" : ""}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/tree.hpp"
+#include "text/csv.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
@@ -153,23 +154,21 @@ void eachLine(std::string_view text, const Read& read) {
   }
 }
 
-/// The cells of a line. Quotes may stand around a cell with a separator in it.
-std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
-  if (separator == ' ') return partsOf(line, " \t");
-  std::vector<std::string_view> cells;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t quote = line.substr(at).starts_with('"') ? line.find('"', at + 1) : at;
-    const std::size_t end = std::min(line.find(separator, quote == std::string_view::npos ? at : quote), line.size());
-    std::string_view cell = trimmed(line.substr(at, end - at));
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    cells.push_back(cell);
-    at = end + 1;
+/// The cells of a line: CSV, or parts between blanks.
+std::vector<std::string> cellsOf(std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  if (separator == ' ') {
+    for (const std::string_view part : partsOf(line, " \t")) cells.emplace_back(part);
+    return cells;
   }
+  CsvRecord record;
+  record.split(line, separator);
+  for (const std::string_view field : record.fields) cells.push_back(csvValue(trimmed(field)));
   return cells;
 }
 
 /// A header is made of names; nearly all of them have letters.
-bool isHeader(const std::vector<std::string_view>& names) {
+bool isHeader(const std::vector<std::string>& names) {
   const auto isName = [](std::string_view word) {
     return !numberIn(word) && std::any_of(word.begin(), word.end(), isLetter);
   };
@@ -198,7 +197,7 @@ Json tableTree(std::string_view text) {
     for (const char separator : {',', '\t', ';', ' '}) {
       std::string_view first = trimmed(lines[header]);
       while (first.starts_with('#')) first = trimmed(first.substr(1));
-      const std::vector<std::string_view> names = cellsOf(first, separator);
+      const std::vector<std::string> names = cellsOf(first, separator);
       if (!isHeader(names)) continue;
       // The header of a table of blanks may have commas.
       for (const char between : {separator, ' '}) {
@@ -208,7 +207,7 @@ Json tableTree(std::string_view text) {
         eachLine(text.substr(static_cast<std::size_t>(lines[header].data() - text.data()) + lines[header].size()),
                  [&](std::string_view line) {
                    if (isBlank(line)) return true;
-                   const std::vector<std::string_view> cells = cellsOf(line, between);
+                   const std::vector<std::string> cells = cellsOf(line, between);
                    if (cells.size() != names.size()) return isTable = false;
                    Json row = Json::object();
                    for (std::size_t i = 0; i < names.size(); ++i) {
@@ -216,7 +215,7 @@ Json tableTree(std::string_view text) {
                      // A name may be 007, or a time in nanoseconds.
                      const bool isExact = number && formatNumber(*number) == cells[i];
                      if (rows.empty() && !cells[i].empty()) ++(number ? numbers : words);
-                     row.emplace(std::string(names[i]), isExact ? Json(*number) : Json(std::string(cells[i])));
+                     row.emplace(names[i], isExact ? Json(*number) : Json(cells[i]));
                    }
                    if (rows.empty() && numbers < words) return isTable = false;
                    rows.push_back(std::move(row));

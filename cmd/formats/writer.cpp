@@ -32,17 +32,17 @@ constexpr Writer kWriters[] = {
     {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
     {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
-    {"gltf", ".gltf", kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions, writeGltf},
+    {"gltf", ".gltf", kYIsUp | kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions, writeGltf},
     {"threejs", "",
-     kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses |
+     kYIsUp | kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses |
          kQuaternions,
      writeThreeJs},
     {"open3d", "", kPicture | kOffCentrePlace | kStatedPoses | kNeedsWholeSize, writeOpen3d},
-    {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti},
+    {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti, 4},
     {"tum", "", kPosesAlone | kNamedPoses | kQuaternions, writeTum},
     {"csv", ".csv",
      kPicture | kOffCentrePlace | kNearPlace | kOpenCvLens | kUnifiedPlace | kDoubleSpherePlace | kOmniPlace |
-         kFovPlace | kNamedPoses | kQuaternions,
+         kWholeOmniPlace | kFovPlace | kNamedPoses | kQuaternions,
      writeTable},
 };
 
@@ -130,7 +130,7 @@ class Places {
     const bool isBrown = lens.model() == LensModel::brown;
     if (isBrown && k[2] != 0 && lacks(kK3Place)) fail("k3 of the lens" + without);
     if (isBrown && isRational && lacks(kRationalPlace)) fail("k4 to k6 of the lens" + without);
-    if (lens.model() == LensModel::omni && writer_.name != "csv" && (k[2] != 0 || isRational))
+    if (lens.model() == LensModel::omni && lacks(kWholeOmniPlace) && (k[2] != 0 || isRational))
       fail("k3 to k6 of the lens omni" + without);
     if (lens.limitCause() == LimitCause::stated)
       fail("the limit of the lens; --set distortion.limit=null leaves it out");
@@ -226,7 +226,7 @@ std::vector<double> coefficientsOf(const Lens& lens) {
 
 std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& writer) {
   const auto lacks = [&](std::uint32_t place) { return (writer.places & place) == 0; };
-  const std::size_t most = writer.name == "kitti" ? 4 : lacks(kSeveralPlace) ? 1 : SIZE_MAX;
+  const std::size_t most = lacks(kSeveralPlace) ? 1 : writer.most;
   if (cameras.size() > most)
     throw InputError("there are " + std::to_string(cameras.size()) + " cameras, and a file of " +
                      std::string(writer.name) + " holds " + (most == 1 ? "one" : std::to_string(most)) +

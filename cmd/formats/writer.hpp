@@ -75,6 +75,8 @@ enum Place : std::uint32_t {
   kDoubleSpherePlace = 1 << 21,
   kOmniPlace = 1 << 22,
   kFovPlace = 1 << 23,
+  kWholeOmniPlace = 1 << 24,  ///< k3 to k6 of it
+  kYIsUp = 1 << 25,           ///< in its world, and no form says otherwise
 };
 
 struct WrittenFile {
@@ -89,6 +91,7 @@ struct Writer {
   std::uint32_t places;
   /// ending: of the file that is written.
   std::vector<WrittenFile> (*write)(std::span<const WrittenCamera> cameras, std::string_view ending);
+  std::size_t most = SIZE_MAX;  ///< cameras, if kSeveralPlace
 };
 std::span<const Writer> writers();
 

@@ -21,16 +21,6 @@ namespace {
 
 // ---- Fields of a camera
 
-Json& placeAt(Json& root, std::string_view path) {
-  Json* at = &root;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    at = &(*at)[std::string(path.substr(begin, end - begin))];
-    begin = end + 1;
-  }
-  return *at;
-}
-
 /// The camera's fields in a record; those that are empty are left out.
 Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
   Json camera = Json::object();
