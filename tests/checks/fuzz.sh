@@ -19,17 +19,17 @@ build=${1:-$build}
 cmake --build "$build" --parallel "$(nproc)" --target viewproj_fuzz
 build=$(cd "$build" && pwd)
 
-# Seeds: every case runs with record.sh for viewproj.
+# Seeds: every case runs with record.cpp for viewproj.
 rm -rf "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/cases"
 [ -n "${FUZZ_SECONDS-}" ] || rm -rf "$build/corpus"
 mkdir -p "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/logs"
-cp tests/fuzz/record.sh "$build/recorder/viewproj"
-chmod +x "$build/recorder/viewproj"
+clang++ -std=c++20 -O1 tests/fuzz/record.cpp -o "$build/recorder/viewproj"
 python3 -B tests/cmd/transcripts.py "$build/recorder/viewproj" --folders "$build/cases"
-for case in "$build"/cases/*/ samples/*/; do
-  # What a case makes of no output at all is its own affair.
-  (cd "$case" && SEEDS=$build/seeds PATH=$build/recorder:$PATH timeout 2 sh ./cmd) >/dev/null 2>&1 </dev/null || :
-done
+cp -R samples/*/ "$build/cases"
+# What a case makes of no output at all is its own affair.
+# shellcheck disable=SC2016  # sh expands it
+find "$build/cases" -mindepth 1 -maxdepth 1 -type d -print0 | SEEDS=$build/seeds PATH=$build/recorder:$PATH xargs -0 -P "$(nproc)" -I{} \
+  sh -c 'cd "$1" && timeout 5 sh ./cmd >/dev/null 2>&1 </dev/null || :' case {}
 python3 -B tests/importers/decimals.py | sed -n 's/.*"file":\({.*}\),"points":.*/\1/p' | while read -r line; do
   printf %s "$line" >"$build/seeds/line"
   mv "$build/seeds/line" "$build/seeds/camera/$(cksum <"$build/seeds/line" | tr ' ' '-')"
