@@ -5,10 +5,16 @@
 
 #include "projection/kernels/kernels.hpp"
 
+namespace viewproj::detail {
+extern const Kernels kPortableKernels;
+}
+
 inline const std::vector<const viewproj::detail::Kernels*>& supportedKernels() {
   // Asked once: in a virtual machine the question costs microseconds.
   static const std::vector<const viewproj::detail::Kernels*> supported = [] {
     std::vector<const viewproj::detail::Kernels*> found;
+    if (viewproj::detail::allKernels().front() != &viewproj::detail::kPortableKernels)
+      found.push_back(&viewproj::detail::kPortableKernels);
     for (const viewproj::detail::Kernels* kernels : viewproj::detail::allKernels())
       if (viewproj::detail::isSupported(*kernels)) found.push_back(kernels);
     return found;

@@ -164,6 +164,8 @@ void displace(const Document& document, const Field& field) {
     }
     removeField(root, other);
   }
+  // A matrix states a place. A position of the command line is meant to replace it.
+  if (field.kind == Kind::rigid && !document.labels.contains("position") && root.is_object()) root.erase("position");
 }
 
 /// Throws if the patch is not of a field, a part of one, or an object of fields.

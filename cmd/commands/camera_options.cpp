@@ -45,7 +45,7 @@ void CameraOptions::add(CLI::App& app) {
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, size=w+h, fovX=a'");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
-            "FILE[#N] of a pose, or 'x,y,z rpy:a,b,c'");
+            "FILE[#N], or 'x,y,z rpy:0,0,90'");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };

@@ -113,6 +113,11 @@ void prepare(CLI::App& app) {
   app.add_flag_callback("--quiet", silenceNotes, "Do not write notes on standard error");
 }
 
+void describe(CLI::App& app, const std::string& what, const std::string& examples) {
+  app.description(what);
+  app.footer(examples);
+}
+
 std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
 
 void parse(CLI::App& app, std::span<const std::string> arguments,
@@ -140,6 +145,14 @@ void parse(CLI::App& app, std::span<const std::string> arguments,
     message = CLI::detail::find_and_replace(message, " requires ", " needs ");
   }
   throw UsageError(message);
+}
+
+bool hasOption(const CLI::App& app, const std::string& option) { return app.get_option_no_throw(option) != nullptr; }
+bool isGiven(const CLI::App& app, const std::string& option) { return app.count(option) > 0; }
+
+std::string outputFile(const CLI::App& app) {
+  const CLI::Option* const file = app.get_option("--output");
+  return file->empty() ? "-" : file->results().front();
 }
 
 bool fileIsCamera(const CLI::App& app) {
@@ -193,6 +206,25 @@ CLI::Option* addOption(CLI::App& app, const std::string& names, const std::strin
   if (isRepeatable) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   return option->option_text(form);
 }
+
+CLI::Option* addFlag(CLI::App& app, const std::string& names, bool& flag, const std::string& help) {
+  return app.add_flag(names, flag, help);
+}
+
+CLI::Option* findOption(CLI::App& app, const std::string& name) { return app.get_option(name); }
+void removeOption(CLI::App& app, const std::string& name) { app.remove_option(app.get_option(name)); }
+void exclude(CLI::Option* one, CLI::Option* other) { one->excludes(other); }
+void require(CLI::Option* one, CLI::Option* other) { one->needs(other); }
+
+void refuse(CLI::Option* option, const std::string& value, const std::string& advice) {
+  option->check([=](const std::string& text) -> std::string {
+    if (text == value) throw UsageError(option->get_name() + " " + value + ": " + advice);
+    return "";
+  });
+}
+
+OptionGroup::OptionGroup(CLI::App& app, const char* group) : app_(app) { app.option_defaults()->group(group); }
+OptionGroup::~OptionGroup() { app_.option_defaults()->group("Options"); }
 
 void takeEnding(CLI::App& app, std::vector<FormRow<std::size_t>> rows, std::function<void(std::size_t form)> take) {
   app.get_option("--output")->each([&app, rows = std::move(rows), take = std::move(take)](const std::string& file) {

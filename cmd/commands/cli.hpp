@@ -1,6 +1,5 @@
 // CLI11 as this tool uses it: the look of help, which command lines are refused, options that read their own values,
-// and the options that several commands share beside those of the camera and of streams. Flags, needs and excludes,
-// commands take from CLI11 directly.
+// and the options that several commands share beside those of the camera and of streams.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +33,9 @@ inline constexpr const char *kCameraGroup = "Camera (viewproj help camera)",
 /// Sets what every command has: the look of its help, and --help, -o and --quiet.
 void prepare(CLI::App& app);
 
+/// What help says first, and last: the examples.
+void describe(CLI::App& app, const std::string& what, const std::string& examples);
+
 /// A row of help.
 std::string optionHelp(const CLI::Option* option);
 
@@ -52,6 +54,13 @@ bool fileIsCamera(const CLI::App& app);
 
 /// Throws UsageError where two inputs come from standard input.
 void requireOneStandardInput(const CLI::App& app);
+
+// ---- What a command has, and after parse() what is given
+
+bool hasOption(const CLI::App& app, const std::string& option);
+bool isGiven(const CLI::App& app, const std::string& option);
+/// The file after -o; "-" without one.
+std::string outputFile(const CLI::App& app);
 
 // ---- Options. A reader makes a value of a text; it gets the option's name for its message, and throws UsageError.
 
@@ -78,6 +87,28 @@ CLI::Option* addValues(CLI::App& app, const std::string& names, const std::strin
       [&values, read](const std::string& option, const std::string& text) { values.push_back(read(option, text)); },
       help, true);
 }
+
+CLI::Option* addFlag(CLI::App& app, const std::string& names, bool& flag, const std::string& help);
+
+CLI::Option* findOption(CLI::App& app, const std::string& name);
+void removeOption(CLI::App& app, const std::string& name);
+/// A command line has one of the two at most.
+void exclude(CLI::Option* one, CLI::Option* other);
+/// A command line with `one` has the other too.
+void require(CLI::Option* one, CLI::Option* other);
+/// Refuses a value of the option with this advice.
+void refuse(CLI::Option* option, const std::string& value, const std::string& advice);
+
+/// While it lives, options that are added belong to this group of help.
+class OptionGroup {
+ public:
+  OptionGroup(CLI::App& app, const char* group);
+  OptionGroup(const OptionGroup&) = delete;
+  ~OptionGroup();
+
+ private:
+  CLI::App& app_;
+};
 
 /// The text itself.
 inline std::string readText(const std::string&, const std::string& text) { return text; }

@@ -92,8 +92,7 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   CLI::App& app = declared.app;
   parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, app); });
   requireOneStandardInput(app);
-  const CLI::Option* const file = app.get_option("--output");
-  NamedOutput output(file->empty() || command.opensOutput ? "-" : file->results().front());
+  NamedOutput output(command.opensOutput ? "-" : outputFile(app));
   const int status = declared.run();
   output.keep();
   return status;

@@ -1,5 +1,4 @@
 // viewproj convert: cameras as files of other programs, or as ours.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -81,7 +80,7 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
 /// {"camera", "position", "pixel"} a line, of the cameras that are picked.
 void writeObservations(const ConvertOptions& o, const CLI::App& app) {
   for (const char* option : {"--map", "--scale", "--parts", "--world-from-camera", "--camera-from-world"})
-    if (app.count(option) > 0)
+    if (isGiven(app, option))
       throw UsageError(std::string(option) + " goes with cameras; observations are written as the file has them");
   if (o.camera.changesCamera() || !o.camera.file())
     throw UsageError("observations are written as a file has them; leave out the options of a camera");
@@ -113,11 +112,10 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
     throw UsageError("--to is needed: " + joined(names));
   }
   for (const char* option : {"--convention", "--reverse-z", "--no-reverse-z", "--ndc-z"})
-    if (o.form != kCamera && app.count(option) > 0)
+    if (o.form != kCamera && isGiven(app, option))
       throw UsageError(std::string(option) + " goes with --to camera; " + std::string(*o.form) +
                        " has a convention of its own. --read-as says how a file is read");
-  const CLI::Option* const named = app.get_option("--output");
-  const std::string name = named->empty() ? "-" : named->results().front();
+  const std::string name = outputFile(app);
   if (o.form == kObservations) {
     NamedOutput output(name);
     writeObservations(o, app);
@@ -142,11 +140,11 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
 
 Action declareConvert(CLI::App& app) {
   const auto o = std::make_shared<ConvertOptions>();
-  app.description(
+  describe(
+      app,
       "Cameras as a file of another program, or as ours (--to camera). Takes all cameras of the files, or those that "
       "#NAME picks, with options laid over them. What would move a pixel and the file cannot say is refused; what "
-      "moves none is told.");
-  app.footer(
+      "moves none is told.",
       "Examples:\n"
       "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --to opencv\n"

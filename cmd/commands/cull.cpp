@@ -1,5 +1,4 @@
 // viewproj cull: what of points and shapes lies in the view.
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "commands/command.hpp"
@@ -74,11 +73,11 @@ int run(const Options& o) {
 
 Action declareCull(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  describe(
+      app,
       "Which points, spheres, boxes and triangles are inside the view: each record of FILE with cull (inside, "
       "intersects or outside) and plane (the plane that decides) appended. A point with a radius is a sphere. Planes "
-      "are tested one by one: a shape outside near a corner of the view may be called intersects.");
-  app.footer(
+      "are tested one by one: a shape outside near a corner of the view may be called intersects.",
       "Examples:\n"
       "  echo '{\"sphere\": {\"center\": [1, 1, -5], \"radius\": 0.5}}' |\n"
       "    viewproj cull --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480\n"
@@ -94,7 +93,7 @@ Action declareCull(CLI::App& app) {
   addValues(app, "--sphere", "X,Y,Z,R", o->shapes, shapeOf(readSphereArgument), "A sphere, in place of FILE");
   addValues(app, "--box", "X,Y,Z,X,Y,Z", o->shapes, shapeOf(readBoxArgument),
             "A box, from its lower to its upper corner, in place of FILE");
-  app.remove_option(app.get_option("--digits"));
+  removeOption(app, "--digits");
   o->camera.add(app);
   o->cameras.add(app, true);
   return [o] { return run(*o); };

@@ -1,6 +1,5 @@
 #include "commands/depth.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -199,19 +198,20 @@ int runDepth(const DepthOptions& o) {
 
 Action declareDepth(CLI::App& app) {
   const auto o = std::make_shared<DepthOptions>();
-  app.description(
+  describe(
+      app,
       "What a depth buffer resolves: the window depth at each distance, its slope, and how far apart surfaces must be "
-      "for d16, d24 and f32 (forward and reversed) to tell them apart. Lengths are in the camera's unit.");
-  app.footer(
+      "for d16, d24 and f32 (forward and reversed) to tell them apart. Lengths are in the camera's unit.",
       "Examples:\n"
       "  viewproj depth --near 0.1 --far 1000 --at 1,10,100\n"
       "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true \\\n"
       "    --depth 0.5,0.001");
-  addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
-           "Distances along the viewing axis (default: decades from near to far)");
-  addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),
-           "Turn these window depths into distances along the viewing axis")
-      ->excludes("--at");
+  CLI::Option* const at =
+      addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
+               "Distances along the viewing axis (default: decades from near to far)");
+  exclude(addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),
+                   "Turn these window depths into distances along the viewing axis"),
+          at);
   o->report.add(app, 8);
   o->camera.addFile(app);
   o->camera.add(app);

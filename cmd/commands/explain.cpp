@@ -3,7 +3,6 @@
 // Each step's value is the double nearest the true one, and its formula names what it is made of: numbers of steps
 // above it, and entries of the matrices beside them, as the convention writes them on paper. The result is what
 // `project` and `ray` give.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -460,10 +459,10 @@ int runExplain(const ExplainOptions& o) {
 
 Action declareExplain(CLI::App& app) {
   const auto o = std::make_shared<ExplainOptions>();
-  app.description(
+  describe(
+      app,
       "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
-      "from, the clip inequalities, NDC, screen, each number with what it is made of.");
-  app.footer(
+      "from, the clip inequalities, NDC, screen, each number with what it is made of.",
       "Examples:\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
       "    --viewport 1280x720 --point 1,1,1\n"
@@ -472,7 +471,7 @@ Action declareExplain(CLI::App& app) {
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
-  addModel(app, o->model, "Where the point's own coordinates lie")->needs(point);
+  require(addModel(app, o->model, "Where the point's own coordinates lie"), point);
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -1,5 +1,4 @@
 // viewproj fit: the camera that shows all of something.
-#include <CLI/CLI.hpp>
 
 #include "commands/command.hpp"
 #include "commands/fitting.hpp"
@@ -75,12 +74,12 @@ int runFit(const FitOptions& o) {
 
 Action declareFit(CLI::App& app) {
   const auto o = std::make_shared<FitOptions>();
-  app.description(
+  describe(
+      app,
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
       "view "
-      "changes. An orthographic window is scaled and centred. Writes a camera file.");
-  app.footer(
+      "changes. An orthographic window is scaled and centred. Writes a camera file.",
       "Examples:\n"
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"

@@ -1,5 +1,4 @@
 // viewproj info: what is in a camera file, or in a text with matrices.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -361,15 +360,15 @@ int runInfo(const InfoOptions& o) {
 
 Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
-  app.description(
+  describe(
+      app,
       "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
       "viewport, "
       "convention, lens distortion, planes and corners of the view, and pixel size; of several a table of them. Of "
       "matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in degrees, "
       "window "
       "edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, planes and corners are those without "
-      "distortion.");
-  app.footer(
+      "distortion.",
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
       "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"

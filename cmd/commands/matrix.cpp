@@ -1,5 +1,4 @@
 // viewproj matrix: a camera's matrices, and pasted matrices in another convention.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -171,7 +170,7 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name, const 
 int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& unknown) {
   for (const char* option :
        {"--inverse", "--bake-viewport", "--relative-to-eye", "--model", "--all", "--map", "--scale"})
-    if (app.count(option) > 0) throw UsageError(std::string(option) + " is for a camera; " + unknown.what());
+    if (isGiven(app, option)) throw UsageError(std::string(option) + " is for a camera; " + unknown.what());
   if (o.camera.changesCamera()) throw InputError(unknown.what());
   MatrixQuestion question{o.camera.readAs(), {}};
   for (const CameraMatrix* row : o.which.value_or(Matrices()))
@@ -199,9 +198,7 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
 }
 
 int runCamera(const MatrixOptions& o, const CLI::App& app) {
-  const CLI::Option* const file = app.get_option("--output");
-  if (!file->empty() && app.count("--to") == 0 &&
-      isEnding(endingOf(file->results().front()), o.all ? ".json" : ".ndjson .jsonl"))
+  if (!isGiven(app, "--to") && isEnding(endingOf(outputFile(app)), o.all ? ".json" : ".ndjson .jsonl"))
     throw UsageError(o.all ? "--all writes a line of JSON for each camera, which is no .json; call the file .ndjson"
                            : "-o: one camera's matrices are one JSON document, a .json; --all writes lines");
   if (o.all && o.format != "json")
@@ -238,13 +235,12 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
 
 Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<MatrixOptions>();
-  app.description(
-      "A camera's matrices in any convention, as JSON, text or code; or pasted matrices, which info tells of, in "
-      "another convention.");
-  app.footer(
-      "Examples:\n"
-      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
-      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
+  describe(app,
+           "A camera's matrices in any convention, as JSON, text or code; or pasted matrices, which info tells of, in "
+           "another convention.",
+           "Examples:\n"
+           "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
+           "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
   const auto readNames = [](const std::string& option, const std::string& text) {
     Matrices chosen;
     for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
@@ -258,21 +254,20 @@ Action declareMatrix(CLI::App& app) {
   };
   addValue(app, "--which", "NAMES", o->which, readNames,
            withNames("Matrices to write", known(matrixNames()), "all that the camera determines"));
-  app.add_flag("--inverse", o->inverse, "Write each one's inverse too");
-  app.add_flag("--bake-viewport", o->bakeViewport, "Fold the viewport into the projection");
+  addFlag(app, "--inverse", o->inverse, "Write each one's inverse too");
+  addFlag(app, "--bake-viewport", o->bakeViewport, "Fold the viewport into the projection");
   CLI::Option* const relative =
-      app.add_flag("--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
+      addFlag(app, "--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
   CLI::Option* const model = addModel(app, o->model, "Place of a model in the world");
-  app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
+  addFlag(app, "--float", o->asFloat, "Round to float32 (default: doubles)");
   const auto forms = matrixForms();
-  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format")
-      ->check([](const std::string& name) {
-        if (name == "camera") throw UsageError("--to camera: viewproj convert --to camera writes a camera file");
-        return std::string();
-      });
-  app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
+  refuse(addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format"), "camera",
+         "viewproj convert --to camera writes a camera file");
+  addFlag(app, "--all", o->all, "Write one JSON object per camera of the file");
   o->world.add(app);
-  model->excludes(relative)->excludes(app.get_option("--map"))->excludes(app.get_option("--scale"));
+  exclude(model, relative);
+  exclude(model, findOption(app, "--map"));
+  exclude(model, findOption(app, "--scale"));
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -1,5 +1,4 @@
 // viewproj measure: time and error of each way to project points, on one scene.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -195,14 +194,13 @@ int runMeasure(const MeasureOptions& o) {
 
 Action declareMeasure(CLI::App& app) {
   const auto o = std::make_shared<MeasureOptions>();
-  app.description(
-      "Time and error of each precision on your own points, beside the textbook's: the view-projection matrix in "
-      "double and in float32.");
-  app.footer(
-      "Example:\n"
-      "  seq 1 1000 | awk '{print $1 / 1000, $1 % 7 / 7, -$1}' |\n"
-      "    viewproj measure --position 0,0,9 --target 0,0,0 --fov-y 60 \\\n"
-      "      --near 0.1 --viewport 1280x720");
+  describe(app,
+           "Time and error of each precision on your own points, beside the textbook's: the view-projection matrix in "
+           "double and in float32.",
+           "Example:\n"
+           "  seq 1 1000 | awk '{print $1 / 1000, $1 % 7 / 7, -$1}' |\n"
+           "    viewproj measure --position 0,0,9 --target 0,0,0 --fov-y 60 \\\n"
+           "      --near 0.1 --viewport 1280x720");
   o->report.add(app, 3);
   o->camera.add(app);
   o->stream.addInput(app, "points");

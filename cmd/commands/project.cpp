@@ -1,5 +1,4 @@
 // viewproj project: world points to screen positions.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -458,14 +457,12 @@ int run(const Options& o) {
 
 Action declareProject(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  app.description(
-      "World points to screen positions: each record of FILE with its pixel, depth and visibility appended.");
-  app.footer(
-      "Examples:\n"
-      "  viewproj project --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --point 1,1,1\n"
-      "  printf 'x,y,z\\n1,2,-9\\n' |\n"
-      "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 64x48");
+  describe(app, "World points to screen positions: each record of FILE with its pixel, depth and visibility appended.",
+           "Examples:\n"
+           "  viewproj project --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+           "    --viewport 1280x720 --point 1,1,1\n"
+           "  printf 'x,y,z\\n1,2,-9\\n' |\n"
+           "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 64x48");
   o->stream.add(app, "points");
   o->stream.addPoints(app);
   const auto readFields = [](const std::string& option, const std::string& text) {

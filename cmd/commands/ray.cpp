@@ -1,5 +1,4 @@
 // viewproj ray: pixels to rays, and to the points behind them.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,7 +61,6 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
 }
 
 struct Casting {
-  Precision precision = Precision::exact;
   ColumnChoice columns;
   std::optional<ResultRows> fields = {};  ///< nothing: what is given by default
   std::optional<std::vector<SceneObject>> scene = {};
@@ -109,7 +107,7 @@ class Caster final : public RecordProcessor {
     const Pixel& pixel = pixels_[i];
     Cast cast{.pixel = pixel, .from = *cameras_[i]};
     if (pixel.screen) {
-      cast.ray = screenToRay(cast.camera, *pixel.screen, how_.precision);
+      cast.ray = screenToRay(cast.camera, *pixel.screen);
       if (pixel.depth || pixel.viewDistance)
         cast.point = pointBehind(cast.camera, pixel);
       else if (pixel.range)
@@ -207,7 +205,6 @@ struct Options {
   CameraOptions camera;
   RecordCameraOptions cameras;
   StreamOptions stream;
-  Precision precision = Precision::exact;
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
@@ -249,7 +246,7 @@ int run(const Options& o) {
       if (needsUp(*row)) requireUp(file, "--fields " + std::string(row->name));
   });
   const bool worldIsEcef = cameras.worldIsEcef();
-  Casting how{.precision = o.precision, .columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
+  Casting how{.columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
   if (hasScene) {
     if (!o.planes.empty() && worldIsEcef)
       throw UsageError(
@@ -272,10 +269,10 @@ int run(const Options& o) {
 
 Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  describe(
+      app,
       "Pixels to rays: each record with the ray's origin and unit direction, the point itself where there is a depth, "
-      "and the nearest hit with a scene. A pixel that the lens does not reach gives null.");
-  app.footer(
+      "and the nearest hit with a scene. A pixel that the lens does not reach gives null.",
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --pixel 640,360 --to table\n"
@@ -283,21 +280,22 @@ Action declareRay(CLI::App& app) {
       "    --pixel 320,240 --plane z=0");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
-  addScene(app, o->scene, "Shapes to hit");
-  addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
-  addValue(app, "--height", "H", o->height,
-           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
-           "The surface of this height to hit, or z = H")
-      ->excludes("--scene")
-      ->excludes("--plane");
-  app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
+  CLI::Option* const scene = addScene(app, o->scene, "Shapes to hit");
+  CLI::Option* const plane =
+      addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
+  CLI::Option* const height =
+      addValue(app, "--height", "H", o->height,
+               numberThat([](double number) { return std::isfinite(number); }, "a height in metres, or a z"),
+               "The surface of this height to hit, or z = H");
+  exclude(height, scene);
+  exclude(height, plane);
+  addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());
   };
   addValue(
       app, "--fields", "NAMES", o->fields, readFields,
       withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
-  addPrecision(app, o->precision);
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };

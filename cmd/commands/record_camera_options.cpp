@@ -1,21 +1,19 @@
 #include "commands/record_camera_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
 
 void RecordCameraOptions::add(CLI::App& app, bool canHide) {
-  app.option_defaults()->group(kStreamGroup);
+  const OptionGroup group(app, kStreamGroup);
   CLI::Option* const by =
       addValue(app, "--camera-by", "FIELD", by_, readText, "The field that names a record's camera of -c");
-  CLI::Option* const own = app.add_flag("--camera-in-record", own_, "Lay each record's fields over the camera");
-  CLI::Option* const each = app.add_flag("--each-camera", each_, "Each record through every camera of -c");
-  by->excludes(own)->excludes(each);
-  own->excludes(each);
-  if (canHide) app.add_flag("--visible", visible_, "Write only what is visible");
-  app.option_defaults()->group("Options");
+  CLI::Option* const own = addFlag(app, "--camera-in-record", own_, "Lay each record's fields over the camera");
+  CLI::Option* const each = addFlag(app, "--each-camera", each_, "Each record through every camera of -c");
+  exclude(by, own);
+  exclude(by, each);
+  exclude(own, each);
+  if (canHide) addFlag(app, "--visible", visible_, "Write only what is visible");
 }
 
 RecordCameras RecordCameraOptions::read(const CameraOptions& options, StreamSetup& setup,

@@ -1,5 +1,4 @@
 // viewproj schema: the JSON Schema of a camera file, from the table of its fields.
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
@@ -59,8 +58,8 @@ std::string cameraSchema() {
 }  // namespace
 
 Action declareSchema(CLI::App& app) {
-  app.description("The JSON Schema (draft 2020-12) of a camera file, for editors and validators.");
-  app.footer("Example:\n  viewproj schema > camera.schema.json");
+  describe(app, "The JSON Schema (draft 2020-12) of a camera file, for editors and validators.",
+           "Example:\n  viewproj schema > camera.schema.json");
   addOnlyForm(app, "JSON", ".json");
   return [] {
     writeOutput(cameraSchema());

@@ -1,6 +1,5 @@
 #include "commands/stream_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 
@@ -44,7 +43,7 @@ constexpr std::size_t kMostJobs = 1024;
 void StreamOptions::addReading(CLI::App& app, const std::string& what, const char* keepGoing) {
   app_ = &app;
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
-  app.option_defaults()->group(kStreamGroup);
+  const OptionGroup group(app, kStreamGroup);
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
   addValue(app, "--width", "N", width_, wholeNumber(1, kMostFields), "Numbers of a record of f32 and f64 (default: 3)");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
@@ -52,22 +51,21 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what, const cha
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
   addValue(app, "--delimiter", "CHAR", delimiter_, readDelimiter,
            "Separator of CSV, in and out: comma, semicolon, tab or a character (default: by the header)");
-  app.add_flag("--keep-going", keepGoing_, keepGoing);
+  addFlag(app, "--keep-going", keepGoing_, keepGoing);
 }
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   addReading(app, what, "Leave out each invalid record with a message and continue; status 1");
-  app.option_defaults()->group("Options");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addReading(app, what, "Replace each invalid record by an error record and continue; status 1");
+  const OptionGroup group(app, kStreamGroup);
   addForm(app, to_, outputForms(), "Output format", "as the input");
   addDigits(app, digits_, "all that tell the number from others; in tables 9");
   addValue(app, "--prefix", "P", prefix_, readPrefix, "Put this in front of the results' names");
   addValue(app, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads (default: one a processor)");
-  app.add_flag("--no-header", noHeader_, "Write CSV without a header line");
-  app.option_defaults()->group("Options");
+  addFlag(app, "--no-header", noHeader_, "Write CSV without a header line");
 }
 
 void StreamOptions::addPoints(CLI::App& app) {
@@ -112,11 +110,11 @@ bool StreamOptions::reads(const StreamSetup& setup) const {
   const bool areTyped = !setup.given.empty(), readsFile = inputFile(*app_).has_value();
   if (areTyped && file_)
     throw UsageError("give either " + setup.given.front().option + " or the file " + *file_ +
-                     (app_->count("--camera") > 0 ? "" : "; -c FILE gives the camera"));
-  const bool writes = app_->get_option_no_throw("--no-header") != nullptr;  // then the output may be CSV
+                     (isGiven(*app_, "--camera") ? "" : "; -c FILE gives the camera"));
+  const bool writes = hasOption(*app_, "--no-header");  // then the output may be CSV
   if (!readsFile)
     for (const char* const name : {"--from", "--width", "--columns", "--delimiter"})
-      if (app_->count(name) > 0 && !(writes && std::string_view(name) == "--delimiter"))
+      if (isGiven(*app_, name) && !(writes && std::string_view(name) == "--delimiter"))
         throw UsageError(std::string(name) + " is for FILE, and none is read");
   return areTyped || readsFile;
 }

@@ -1,6 +1,5 @@
 #include "commands/world_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "output/output_file.hpp"

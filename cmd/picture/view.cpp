@@ -92,9 +92,7 @@ std::optional<Vec2> View::place(const Vec4& point, Extent extent) const {
   return onSheet({p.x, p.y});
 }
 
-Ray View::rayAt(const Vec2& at) const {
-  return screenToRay(camera_, offSheet(at), Precision::standard, RayOrigin::nearPlane);
-}
+Ray View::rayAt(const Vec2& at) const { return screenToRay(camera_, offSheet(at), RayOrigin::nearPlane); }
 
 bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) const {
   constexpr double kNearer = 1 - 1e-7;  // a point of a surface is not hidden by it

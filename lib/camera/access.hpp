@@ -1,7 +1,7 @@
 // Gives the library access to the numbers behind the public classes, and makes those classes from numbers.
 #pragma once
 
-#include <memory>
+#include <atomic>
 
 #include "viewproj/camera.hpp"
 
@@ -13,9 +13,26 @@ struct Access {
     return whole.parts_;
   }
   template <class Whole, class Parts>
-  static Whole whole(std::shared_ptr<const Parts> parts) noexcept {
-    return Whole(std::move(parts));
+  static Whole whole(const Shared<Parts>& parts) noexcept {
+    return Whole(parts);
   }
 };
+
+struct Owners {
+  std::atomic<long> count{1};
+  virtual ~Owners() = default;
+};
+
+template <class Parts>
+struct Owned final : Owners {
+  explicit Owned(const Parts& owned) : parts(owned) {}
+  const Parts parts;
+};
+
+template <class Parts>
+Shared<Parts> share(const Parts& parts) {
+  auto* owned = new Owned<Parts>(parts);
+  return {&owned->parts, owned};
+}
 
 }  // namespace viewproj::detail

@@ -91,8 +91,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   if (world != convention.world)
     throw CameraError("pose", std::string("is of a ") + nameOf(world) + "-handed world, and the convention's is " +
                                   nameOf(convention.world) + "-handed");
-  const auto made = std::make_shared<CameraParts>();
-  CameraParts& c = *made;
+  CameraParts c;
   c.pose = parts(pose);
   c.projection = parts(projection);
   c.viewport = viewport;
@@ -128,13 +127,11 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.rayY = rounded(c.perY);
   k.rayW = rounded(columns.forward);
   c.corners = outwards(viewport, map);
-  return Access::whole<Camera, CameraParts>(made);
+  return Access::whole<Camera>(share(c));
 }
 
-Pose Camera::pose() const noexcept { return Access::whole<Pose, PoseParts>({parts_, &parts_->pose}); }
-Projection Camera::projection() const noexcept {
-  return Access::whole<Projection, ProjectionParts>({parts_, &parts_->projection});
-}
+Pose Camera::pose() const noexcept { return Access::whole<Pose>(Shared(parts_, parts_->pose)); }
+Projection Camera::projection() const noexcept { return Access::whole<Projection>(Shared(parts_, parts_->projection)); }
 const Viewport& Camera::viewport() const noexcept { return parts_->viewport; }
 const Convention& Camera::convention() const noexcept { return parts_->convention; }
 
@@ -157,21 +154,21 @@ Camera withPose(const Camera& camera, const Pose& pose) {
   return withLensOf(camera, makeCamera(pose, camera.projection(), camera.viewport(), camera.convention()));
 }
 
-Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble lensScale) {
-  const auto made = std::make_shared<CameraParts>(parts(pinhole));
-  ProjectionConstants& k = made->constants;
-  setRows(k, made->pose, 1, -1);
-  k.scaleX = made->screen.scaleX;
-  k.scaleY = -made->screen.scaleY;
+Camera detail::withLens(const Camera& pinhole, const Shared<LensParts>& lens, DoubleDouble lensScale) {
+  CameraParts made = parts(pinhole);
+  ProjectionConstants& k = made.constants;
+  setRows(k, made.pose, 1, -1);
+  k.scaleX = made.screen.scaleX;
+  k.scaleY = -made.screen.scaleY;
   k.perScaleX = DoubleDouble(1) / (k.scaleX * lensScale);
   k.perScaleY = DoubleDouble(1) / (k.scaleY * lensScale);
-  k.rayX = rounded(made->pose.columns.right);
-  k.rayY = rounded(-made->pose.columns.up);
-  k.rayW = rounded(made->pose.columns.forward);
+  k.rayX = rounded(made.pose.columns.right);
+  k.rayY = rounded(-made.pose.columns.up);
+  k.rayW = rounded(made.pose.columns.forward);
   k.lens = lens.get();
-  made->lens = std::move(lens);
-  made->pinhole = Access::shared(pinhole);
-  return Access::whole<Camera, CameraParts>(made);
+  made.lens = lens;
+  made.pinhole = Access::shared(pinhole);
+  return Access::whole<Camera>(share(made));
 }
 
 }  // namespace viewproj

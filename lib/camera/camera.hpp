@@ -72,12 +72,12 @@ struct CameraParts {
 
   /// Null without a lens. With a lens, everything above belongs to the camera without it, which is pinhole, except the
   /// rows in constants.
-  std::shared_ptr<const LensParts> lens;
-  std::shared_ptr<const CameraParts> pinhole;
+  Shared<LensParts> lens;
+  Shared<CameraParts> pinhole;
 };
 
 /// The same camera with this lens, of this scale. pinhole must have none.
-Camera withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble scale);
+Camera withLens(const Camera& pinhole, const Shared<LensParts>& lens, DoubleDouble scale);
 
 inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }
 

@@ -47,11 +47,11 @@ FineVec3 checkedUp(const Vec3& up) {
 
 }  // namespace
 
-Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts)); }
+Pose made(const PoseParts& parts) { return Access::whole<Pose>(share(parts)); }
 
 Pose orthogonal(const ExactPose& exact) {
   const Axes rows = roundedRows(exact);
-  return made({exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact)});
+  return made({exact.origin, rows, rows, {}, share(exact)});
 }
 
 Axes roundedRows(const ExactPose& exact) noexcept {
@@ -142,7 +142,7 @@ Pose movedTo(const Pose& pose, const Vec3& eye) {
   exact.translation = {};
   moved.residual = {};
   moved.error.eye = 0;
-  moved.exact = std::make_shared<const ExactPose>(exact);
+  moved.exact = share(exact);
   return made(moved);
 }
 

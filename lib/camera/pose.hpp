@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "camera/access.hpp"
 #include "numbers/dyadic.hpp"
@@ -44,7 +43,7 @@ struct PoseParts {
   /// The remainder of rounding the eye. Zero unless the pose was given as cameraFromWorld, whose eye need not be a
   /// double, or as columns.
   DDVec3 residual{};
-  std::shared_ptr<const ExactPose> exact;
+  Shared<ExactPose> exact;
   PoseError error{};
 };
 

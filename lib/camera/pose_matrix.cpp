@@ -129,8 +129,8 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   exact.translation = toAxes({dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi}, axes);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) exact.rows[i][j] = Dyadic<1>(axisRows[i][j].hi) + Dyadic<1>(axisRows[i][j].lo);
-  return made({exact.origin, toAxesOf(rows, axes), toAxesOf(columns, axes), toDoubleDouble(exact.translation),
-               std::make_shared<const ExactPose>(exact)});
+  return made(
+      {exact.origin, toAxesOf(rows, axes), toAxesOf(columns, axes), toDoubleDouble(exact.translation), share(exact)});
 }
 
 }  // namespace viewproj::detail
@@ -189,7 +189,7 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes) {
                toAxesOf(inverted.rows, axes),
                toAxesOf({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
                {},
-               std::make_shared<const ExactPose>(exact)});
+               share(exact)});
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes) {
@@ -213,11 +213,8 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes) {
   const auto rows = toAxes(matrixRows, axes);
   for (std::size_t i = 0; i < 3; ++i) exact.rows[i] = {rows[i].x, rows[i].y, rows[i].z};
   const Axes rests = toAxesOf(residual, axes);
-  return made({eye,
-               roundedRows(exact),
-               toAxesOf(columns, axes),
-               {rests.right.x, rests.up.x, rests.forward.x},
-               std::make_shared<const ExactPose>(exact)});
+  return made(
+      {eye, roundedRows(exact), toAxesOf(columns, axes), {rests.right.x, rests.up.x, rests.forward.x}, share(exact)});
 }
 
 }  // namespace viewproj

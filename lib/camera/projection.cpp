@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 
 #include "camera/require.hpp"
@@ -123,7 +122,7 @@ Projection ofPixels(DoubleDouble fx, DoubleDouble fy, double cx, double cy, cons
 
 Projection detail::made(const ProjectionParts& parts) {
   check(parts);
-  return Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(parts));
+  return Access::whole<Projection>(share(parts));
 }
 
 bool Projection::isOrthographic() const noexcept { return parts_->orthographic; }
@@ -136,7 +135,7 @@ double Projection::zFar() const noexcept { return parts_->far; }
 double Projection::aspect() const noexcept { return (windowWidth(*parts_) / windowHeight(*parts_)).hi; }
 double Projection::fov(Fov of) const noexcept {
   const ProjectionParts& p = *parts_;
-  if (p.orthographic) return std::numeric_limits<double>::quiet_NaN();
+  if (p.orthographic) return kNaN;
   if (of == Fov::vertical) return degreesAcross(p.bottom, p.top);
   if (of == Fov::horizontal) return degreesAcross(p.left, p.right);
   return std::max(degreesBetween(p.left, p.bottom, p.right, p.top), degreesBetween(p.left, p.top, p.right, p.bottom));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,8 +16,6 @@ namespace viewproj {
 
 using namespace detail;
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An affine matrix's last entry may be this many units in the last place, or twice its error, away from 1, as in a
 /// computed inverse. The whole matrix is then divided by it.

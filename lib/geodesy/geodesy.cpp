@@ -1,7 +1,6 @@
 #include <GeographicLib/Geocentric.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -13,8 +12,6 @@ namespace viewproj {
 
 using namespace detail;
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 enum : std::size_t { kRight, kUpward, kForward };
 
@@ -52,8 +49,6 @@ bool haveSameNormal(const Geodetic& a, const Geodetic& b) noexcept {
   const double first = std::remainder(a.lon, 360), second = std::remainder(b.lon, 360);
   return first == second || (std::fabs(first) == 180 && second == -first) || std::fabs(a.lat) == 90;
 }
-
-double length(const Vec3& v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 }  // namespace
 
@@ -102,7 +97,7 @@ PoseError lookAtError(const Pose& pose, const Vec3& target, const Vec3& up, doub
   // The direction turns by this; the axes around it by as much, divided by the sine between direction and up.
   const double turn = (eyeError + targetError) / length({target.x - eye.x, target.y - eye.y, target.z - eye.z});
   const double angle = 1.01 * turn * (1 + 1 / (above.x * up.x + above.y * up.y + above.z * up.z));
-  return {eyeError, turn == 0 ? 0 : turn < 0.01 && angle > 0 ? angle : std::numeric_limits<double>::infinity()};
+  return {eyeError, turn == 0 ? 0 : turn < 0.01 && angle > 0 ? angle : kInfinity};
 }
 
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {

@@ -12,8 +12,6 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 LensParts partsOf(LensModel model) {
   LensParts lens;
   lens.model = model;
@@ -46,7 +44,7 @@ Lens made(LensParts lens) {
   lens.scale = lens.isAngle ? DoubleDouble(1) / lens.across : twoSum(1, lens.xi);
   lens.isScaled = lens.scale.hi != 1 || lens.scale.lo != 0;
   setLimits(lens);
-  return Access::whole<Lens, LensParts>(std::make_shared<const LensParts>(lens));
+  return Access::whole<Lens>(share(lens));
 }
 
 }  // namespace
@@ -161,12 +159,12 @@ Camera withLens(const Camera& camera, const Lens& lens) {
 
 Camera withoutLens(const Camera& camera) noexcept {
   const auto& pinhole = parts(camera).pinhole;
-  return pinhole ? Access::whole<Camera, CameraParts>(pinhole) : camera;
+  return pinhole ? Access::whole<Camera>(pinhole) : camera;
 }
 
 std::optional<Lens> lensOf(const Camera& camera) noexcept {
   const auto& lens = parts(camera).lens;
-  return lens ? std::optional(Access::whole<Lens, LensParts>(lens)) : std::nullopt;
+  return lens ? std::optional(Access::whole<Lens>(lens)) : std::nullopt;
 }
 
 }  // namespace viewproj

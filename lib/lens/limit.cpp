@@ -30,8 +30,6 @@
 namespace viewproj::detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// By powers of the variable; with the size of what a coefficient is a sum of, which may cancel.
 struct Coefficient {
   double value = 0, size = 0;

@@ -121,7 +121,7 @@ struct Response {
 /// Of Brown's polynomials, more than for all radii from `from` to `to`. Infinite next to a pole.
 template <class D>
 [[gnu::always_inline]] inline Response<D> brownResponse(const LensParts& lens, D from, D to) noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kSmallest = 0x1p-30;
+  constexpr double kSmallest = 0x1p-30;
   const D u = to * to, ofN = sizes(lens.numerator(), u, 1, 2);
   D most = 2.0 * ofN;
   if (lens.isRational()) {

@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "lens/inverse.hpp"
+#include "numbers/vectors.hpp"
 
 namespace viewproj::detail {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Undistorted kNone{{kNaN, kNaN, kNaN}, kNaN};
 
 /// Newton's steps double the digits, but next to a fold. They end with one of this share.
@@ -16,8 +16,6 @@ constexpr double kLastStep = 0x1p-80;
 
 /// Nearer to the axis than this, every lens leaves all digits as they are.
 constexpr double kTiny = 0x1p-450;
-
-double length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 /// The root of a function that rises over [low, high] and is below 0 at low and not at high. evaluate: its value and
 /// slope there.

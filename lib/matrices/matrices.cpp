@@ -324,7 +324,6 @@ Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
 }
 
 Vec4 worldTo(const Camera& camera, Space to, const Vec4& point, const Convention& convention) noexcept {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr Vec4 kNone{kNaN, kNaN, kNaN, kNaN};
   const CameraParts& c = parts(camera);
   if (!isInDomain(c.pose.eye, point)) return kNone;
@@ -351,7 +350,6 @@ Vec4 worldTo(const Camera& camera, Space to, const Vec4& point, const Convention
 }
 
 SplitVec3 alongAxes(const Camera& camera, const Vec4& point) noexcept {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const PoseParts& pose = parts(camera).pose;
   if (!isInDomain(pose.eye, point)) return {{kNaN, kNaN, kNaN}, {}};
   const DDVec3 d = preciselyAlongAxes(pose, point);

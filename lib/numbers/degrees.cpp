@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 namespace viewproj::detail {
@@ -52,7 +51,7 @@ static_assert(kSinCosStep == 0x1p-224);
 }  // namespace
 
 DoubleDouble tanHalfDegrees(double degrees) noexcept {
-  if (!(degrees > 0 && degrees < 180)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(degrees > 0 && degrees < 180)) return kNaN;
   const double half = degrees / 2;
   if (half <= 45) {
     // Below 1e-60 degrees sin/cos is x itself to far more than 106 bits.

@@ -95,7 +95,6 @@ constexpr bool roundsAlike(DoubleDouble a, double error) noexcept {
 /// Half a unit in the last place of numbers of this size, at least the smallest double. Infinite for a size that is not
 /// finite.
 inline double halfUlp(double size) noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   size = std::fabs(size);
   if (!std::isfinite(size)) return kInfinity;
   if (size == std::numeric_limits<double>::max()) return (size - std::nextafter(size, 0)) / 2;
@@ -103,9 +102,7 @@ inline double halfUlp(double size) noexcept {
 }
 
 /// The largest double not above x, and the smallest not below it.
-inline double lowerDouble(const DoubleDouble& x) noexcept {
-  return x.lo < 0 ? std::nextafter(x.hi, -std::numeric_limits<double>::infinity()) : x.hi;
-}
+inline double lowerDouble(const DoubleDouble& x) noexcept { return x.lo < 0 ? std::nextafter(x.hi, -kInfinity) : x.hi; }
 inline double upperDouble(const DoubleDouble& x) noexcept { return -lowerDouble(-x); }
 
 inline bool isFinite(DoubleDouble a) noexcept { return std::isfinite(a.hi) && std::isfinite(a.lo); }

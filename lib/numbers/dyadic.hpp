@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 
 #include "numbers/wide.hpp"
 
@@ -61,7 +60,7 @@ class Dyadic {
 
   /// Relative error at most 2^-104.
   Wide rounded() const noexcept {
-    if (isNan_) return {std::numeric_limits<double>::quiet_NaN(), 0};
+    if (isNan_) return {kNaN, 0};
     // The first five limbs. Each is below the last place of the one before.
     double part[5] = {}, power = 1;
     for (int i = size_ - 1, k = 0; i >= 0 && k < 5; --i, ++k, power *= 0x1p-32)
@@ -149,7 +148,7 @@ class Dyadic {
   // A double's bits lie in limbs -34 to 9. A sum may carry into more.
   static constexpr int kCapacity = 44 * Degree + 4;
 
-  static Dyadic nan() noexcept { return Dyadic(std::numeric_limits<double>::quiet_NaN()); }
+  static Dyadic nan() noexcept { return Dyadic(kNaN); }
 
   template <int Other>
   void copy(const Dyadic<Other>& a) noexcept {

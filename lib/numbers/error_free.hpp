@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cfloat>
+#include <limits>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "viewproj needs IEEE arithmetic: -ffast-math and -funsafe-math-optimizations destroy its error-free transforms"
@@ -25,6 +26,9 @@
 #endif
 
 namespace viewproj::detail {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 bits.
 struct DoubleDouble {

@@ -53,6 +53,10 @@ inline DDVec3 scaleByPowerOfTwo(const DDVec3& a, int exponent) noexcept {
   return {scaleByPowerOfTwo(a.x, exponent), scaleByPowerOfTwo(a.y, exponent), scaleByPowerOfTwo(a.z, exponent)};
 }
 
+/// Roughly, and only for sizes whose squares are finite.
+inline double length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+inline double length(const Vec3& v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
 inline double maxAbs(const Vec3& a) noexcept { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 inline double maxAbs(const DDVec3& a) noexcept { return maxAbs(rounded(a)); }
 

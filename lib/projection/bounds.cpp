@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "numbers/double_double.hpp"
 #include "projection/kernels/formulas.hpp"
@@ -11,8 +10,6 @@ namespace viewproj {
 
 using namespace detail;
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sumOfSizes(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "camera/depth.hpp"
 #include "camera/require.hpp"
@@ -10,8 +9,6 @@
 
 namespace viewproj::detail {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A number and its largest error.
 struct Bounded {

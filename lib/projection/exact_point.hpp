@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
@@ -31,7 +30,7 @@ AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept;
 /// A point that has no screen position.
 inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
   ScreenPoint p;
-  p.x = p.y = p.depth = std::numeric_limits<double>::quiet_NaN();
+  p.x = p.y = p.depth = kNaN;
   p.viewDistance = viewDistance;
   p.status = status;
   return p;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"
@@ -13,7 +12,6 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 
 /// Right and up of the viewing axis, on the plane at distance 1 from the eye, in orthographic on the plane through it.
@@ -66,21 +64,17 @@ bool setOrigin(Vec3& origin, const CameraParts& c, const Vec2& screen, double di
   return true;
 }
 
-/// Through a lens, in every precision: the bits of a batch.
-Vec3 lensDirection(const CameraParts& c, const Vec2& screen) noexcept {
-  const Sight<DoubleDouble> at = sightOf(c, screen);
-  const auto r = RayFormula<ScalarLanes>::along(c.constants, at.right.hi, at.down.hi, at.forward.hi);
-  return {r.x, r.y, r.z};
-}
-
-Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
-  return c.projection.orthographic ? c.direction : rounded(normalized(offsetAt(c, windowAt(c, screen), 1)));
-}
-
-Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
-  if (c.projection.orthographic) return c.direction;
+/// The bits of a batch.
+Vec3 directionOf(const CameraParts& c, const Vec2& screen) noexcept {
+  if (c.projection.orthographic && !c.lens) return c.direction;
+  if (c.lens) {
+    const Sight<DoubleDouble> at = sightOf(c, screen);
+    const auto r = RayFormula<ScalarLanes>::along(c.constants, at.right.hi, at.down.hi, at.forward.hi);
+    return {r.x, r.y, r.z};
+  }
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
-  return r.squaredLength < kLargestSquaredLength ? Vec3{r.x, r.y, r.z} : exactDirection(c, screen);
+  if (r.squaredLength < kLargestSquaredLength) return {r.x, r.y, r.z};
+  return rounded(normalized(offsetAt(c, windowAt(c, screen), 1)));
 }
 
 /// The point at a distance whose error is at most distanceError.
@@ -92,7 +86,7 @@ WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& 
   double bound = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z) + pose.eye;
   if (pose.angle > 0) bound += pose.angle * double(lengthOf(toWide(offsetAt(c, window, toDoubleDouble(distance)))));
   if (!std::isfinite(distanceError.value.hi)) {
-    bound = std::numeric_limits<double>::infinity();
+    bound = kInfinity;
   } else if (distanceError.sign() > 0) {
     // How far the point moves when its distance changes.
     const bool orthographic = c.projection.orthographic;
@@ -104,12 +98,10 @@ WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& 
 
 }  // namespace
 
-Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
+Ray screenToRay(const Camera& camera, const Vec2& screen, RayOrigin origin) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen)) return {kNoVector, kNoVector};
-  Ray ray{c.pose.eye, c.lens                          ? lensDirection(c, screen)
-                      : precision == Precision::exact ? exactDirection(c, screen)
-                                                      : standardDirection(c, screen)};
+  Ray ray{c.pose.eye, directionOf(c, screen)};
   const bool isAtNear = origin == RayOrigin::nearPlane;
   const double distance = isAtNear ? c.projection.near : 0;
   if (c.projection.orthographic ? !setOrigin(ray.origin, c, screen, distance) : isAtNear) {
@@ -140,9 +132,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   const Wide distance = near / nearOverDistance;
   // The distance grows most towards infinity: the divisor changes by shareError at most.
   const Wide farthest = nearOverDistance - shareError;
-  return pointAt(
-      c, window, distance,
-      farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(std::numeric_limits<double>::infinity()));
+  return pointAt(c, window, distance, farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(kInfinity));
 }
 
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {

@@ -190,7 +190,7 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
 
 void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
   const std::size_t count = std::min(pixels.size(), rays.size());
-  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], Precision::standard, origin);
+  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], origin);
 }
 
 }  // namespace viewproj

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lens/inverse.hpp"
 #include "projection/exact_point.hpp"
@@ -13,11 +12,6 @@ namespace viewproj {
 
 using namespace detail;
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 double scaleOf(const CameraParts& c) noexcept {
   return std::max(std::fabs(c.screen.scaleX.hi), std::fabs(c.screen.scaleY.hi));

@@ -128,14 +128,14 @@ Frustum viewFrustum(const Camera& camera) {
   if (parts(camera).lens)
     throw CameraError("distortion", "bends straight edges: planes, shapes and segments need a camera without it");
   const ProjectionParts& p = parts(camera).projection;
-  const auto made = std::make_shared<FrustumParts>(FrustumParts{camera});
-  add(*made, sideLeft, p.left, 1);
-  add(*made, sideRight, p.right, -1);
-  add(*made, sideBottom, p.bottom, 1);
-  add(*made, sideTop, p.top, -1);
-  if (hasDepth(p)) add(*made, sideNear, p.near, 1);
-  if (std::isfinite(p.far)) add(*made, sideFar, p.far, -1);
-  return Access::whole<Frustum, FrustumParts>(made);
+  FrustumParts made{camera};
+  add(made, sideLeft, p.left, 1);
+  add(made, sideRight, p.right, -1);
+  add(made, sideBottom, p.bottom, 1);
+  add(made, sideTop, p.top, -1);
+  if (hasDepth(p)) add(made, sideNear, p.near, 1);
+  if (std::isfinite(p.far)) add(made, sideFar, p.far, -1);
+  return Access::whole<Frustum>(share(made));
 }
 
 const Camera& Frustum::camera() const noexcept { return parts_->camera; }

@@ -6,16 +6,28 @@
 // The library's accuracy depends on IEEE arithmetic. A thread that calls it must round to nearest, ties to even, and
 // keep subnormal numbers: no other fesetround mode, no flush-to-zero and no denormals-are-zero (-ffast-math in any
 // linked file turns those on for the whole program). makeCamera checks this; later calls do not.
+//
+// Example:
+//   const Viewport picture{.width = 640, .height = 480};
+//   std::optional<Camera> camera;  // a Camera is complete, or there is none
+//   try {
+//     const Pose pose = lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
+//     camera = makeCamera(pose, perspective(60, picture, 0.1, 1000), picture);
+//   } catch (const CameraError& error) {
+//     std::printf("%s\n", error.what());
+//   }
+//   const Intrinsics k = camera->intrinsics();
+//   std::printf("%.4f %g %g", k.fx, k.cx, k.cy);  // prints 415.6922 320 240
 #pragma once
 
 #include <array>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "viewproj/convention.hpp"
+#include "viewproj/shared.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj {
@@ -90,9 +102,9 @@ class Pose {
 
  private:
   friend struct detail::Access;
-  explicit Pose(std::shared_ptr<const detail::PoseParts> parts) noexcept : parts_(std::move(parts)) {}
+  explicit Pose(const detail::Shared<detail::PoseParts>& parts) noexcept : parts_(parts) {}
 
-  std::shared_ptr<const detail::PoseParts> parts_;
+  detail::Shared<detail::PoseParts> parts_;
 };
 
 /// The largest entry of M^T M - I that is allowed for the 3x3 part M of a pose matrix.
@@ -213,9 +225,9 @@ class Projection {
 
  private:
   friend struct detail::Access;
-  explicit Projection(std::shared_ptr<const detail::ProjectionParts> parts) noexcept : parts_(std::move(parts)) {}
+  explicit Projection(const detail::Shared<detail::ProjectionParts>& parts) noexcept : parts_(parts) {}
 
-  std::shared_ptr<const detail::ProjectionParts> parts_;
+  detail::Shared<detail::ProjectionParts> parts_;
 };
 
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
@@ -306,9 +318,9 @@ class Camera {
 
  private:
   friend struct detail::Access;
-  explicit Camera(std::shared_ptr<const detail::CameraParts> parts) noexcept : parts_(std::move(parts)) {}
+  explicit Camera(const detail::Shared<detail::CameraParts>& parts) noexcept : parts_(parts) {}
 
-  std::shared_ptr<const detail::CameraParts> parts_;
+  detail::Shared<detail::CameraParts> parts_;
 };
 
 /// Throws CameraError if a number of the viewport is out of range, if the pose does not fit the convention's

@@ -2,6 +2,13 @@
 //
 // A component of its own: link viewproj::cameras_of. Nothing is guessed: if several cameras fit the numbers, all of
 // them are returned.
+//
+// Example:
+//   const Mat4 pasted{{{{0.75, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1.02, -2.02}, {0, 0, -1, 0}}}};
+//   const MatrixCameras found = camerasOf(pasted, {.kind = MatrixKind::projection, .convention = conventions::opengl});
+//   const Projection& p = *found.cameras[0].lens->projection;
+//   std::printf("%g degrees, near %.3f, far %.0f", p.fov(Fov::vertical), p.zNear(), p.zFar());
+//   // prints 90 degrees, near 1.000, far 101
 #pragma once
 
 #include <optional>

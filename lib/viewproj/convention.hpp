@@ -1,4 +1,9 @@
 // Conventions as data: the directions of each space's axes, and the layout of a matrix.
+//
+// Example:
+//   Convention reversed = conventions::vulkan;
+//   reversed.reverseZ = true;
+//   std::printf("%d", reversed.ndcZ == NdcZ::zeroToOne && reversed.ndcY == NdcY::down);  // prints 1
 #pragma once
 
 #include <span>

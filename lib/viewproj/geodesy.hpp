@@ -3,6 +3,12 @@
 // The ellipsoid is WGS84. The world is ECEF: Earth-centred, turning with the Earth, metres, right-handed, x towards
 // latitude and longitude 0, z towards the north pole. Conversions are GeographicLib's (Karney, "Geodesics on an
 // ellipsoid of revolution", 2011, appendix B). Rotations are computed here, to more digits than doubles have.
+//
+// Example:
+//   const Pose pose = poseFromHeadingPitchRoll({.lat = 0, .lon = 0, .height = 100}, {.heading = 90});
+//   const Geodetic place = ecefToGeodetic(pose.eye());
+//   std::printf("%.0f, %.0f m up, looking %g east", pose.eye().x, place.height, pose.forward().y);
+//   // prints 6378237, 100 m up, looking 1 east
 #pragma once
 
 #include <array>

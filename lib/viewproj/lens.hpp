@@ -20,13 +20,16 @@
 // 1 / (1 + xi), and for fov. The pinhole camera that agrees with the lens there has the focal lengths times the slope:
 // calibrated() makes it. A MEI camera made without it is wrong by a factor of 1 + xi.
 //
-//   Projection file = intrinsics(1336.32, 1335.79, 716.94, 705.76, viewport);        // a MEI calibration's numbers
-//   Lens lens = omniLens(2.2134, {0.0168, 1.6548}, {0.000422, 0.000425});
-//   Camera camera = withLens(makeCamera(pose, calibrated(file, lens), viewport), lens);
+// Example:
+//   const Viewport picture{.width = 1280, .height = 800};
+//   const Lens lens = fisheyeLens({0, 0, 0, 0});
+//   const Projection file = intrinsics(400, 400, 640, 400, picture, 0, kInfiniteFar);  // a calibration's numbers
+//   const Pose pose = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right);
+//   const Camera camera = withLens(makeCamera(pose, calibrated(file, lens), picture), lens);
+//   std::printf("%.4f", worldToScreen(camera, Vec3{1, 0, 0}).x);  // prints 1268.3185
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -77,9 +80,9 @@ class Lens {
 
  private:
   friend struct detail::Access;
-  explicit Lens(std::shared_ptr<const detail::LensParts> parts) noexcept : parts_(std::move(parts)) {}
+  explicit Lens(const detail::Shared<detail::LensParts>& parts) noexcept : parts_(parts) {}
 
-  std::shared_ptr<const detail::LensParts> parts_;
+  detail::Shared<detail::LensParts> parts_;
 };
 
 // Each throws a CameraError naming "distortion.k.0" (1, ...), "distortion.p.0" (1), "distortion.xi" (alpha, beta,

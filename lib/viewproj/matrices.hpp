@@ -2,6 +2,15 @@
 //
 // Every matrix, inverses too, is computed from the camera's parameters, not by multiplying or inverting matrices. All
 // are for column vectors; laidOut and inStorageOrder apply a convention's vectors and storage.
+//
+// Example:
+//   const Viewport picture{.width = 640, .height = 480};
+//   const Camera camera = makeCamera(lookAlong({0, 0, 5}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+//                                    perspective(90, picture, 1, 100), picture);
+//   const auto m = storedMatrix<float>(camera, Space::clip, Space::world);  // for glUniformMatrix4fv
+//   const Camera again = cameraFromMatrices(matrix(camera, Space::view, Space::world),
+//                                           matrix(camera, Space::clip, Space::view), picture, conventions::opengl);
+//   std::printf("%g %g %g", m[0], m[15], again.projection().zFar());  // prints 0.75 5 100
 #pragma once
 
 #include <array>

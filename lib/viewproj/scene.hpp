@@ -1,9 +1,17 @@
 // Shapes in world coordinates: where a ray hits them, and what a camera sees of them.
+//
+// Example:
+//   const Viewport picture{.width = 640, .height = 480};
+//   const Camera camera = makeCamera(lookAlong({0, 0, 5}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+//                                    perspective(90, picture, 1, 100), picture);
+//   const Sphere ball{{0, 0, 0}, 2};
+//   const Hits hits = intersect(screenToRay(camera, {320, 240}), ball);
+//   const bool isSeen = cull(viewFrustum(camera), ball).verdict != CullVerdict::outside;
+//   std::printf("%d hits, at %g, seen %d", hits.count, hits.hits[0].distance, isSeen);  // prints 2 hits, at 3, seen 1
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -138,9 +146,9 @@ class Frustum {
 
  private:
   friend struct detail::Access;
-  explicit Frustum(std::shared_ptr<const detail::FrustumParts> parts) noexcept : parts_(std::move(parts)) {}
+  explicit Frustum(const detail::Shared<detail::FrustumParts>& parts) noexcept : parts_(parts) {}
 
-  std::shared_ptr<const detail::FrustumParts> parts_;
+  detail::Shared<detail::FrustumParts> parts_;
 };
 
 /// Accepts every camera without a lens: perspective, orthographic, off-centre, shifted or cropped, with negative near

@@ -2,6 +2,14 @@
 //
 // Screen positions are pixels in the viewport's origin and pixelCenter. Window depth uses depthFirst and depthSecond
 // and is not clamped. Nothing here allocates or throws.
+//
+// Example:
+//   const Viewport picture{.width = 640, .height = 480};
+//   const Camera camera = makeCamera(lookAlong({0, 0, 5}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+//                                    perspective(90, picture, 1, 100), picture);
+//   const ScreenPoint seen = worldToScreen(camera, Vec3{1, 0, 0});
+//   const Ray ray = screenToRay(camera, {320, 240});
+//   std::printf("%g %g, ray to %g", seen.x, seen.y, ray.direction.z);  // prints 368 240, ray to -1
 #pragma once
 
 #include <cstddef>
@@ -153,18 +161,16 @@ enum class RayOrigin {
   nearPlane,  ///< the eye if there is no near plane; NaN for a ray that points backwards
 };
 
-/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision,
+/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture,
 /// for every near and far and through every lens. It is five roundings a component, (5 sqrt(3) + 1) 2^-53, plus the
 /// effect of a pose matrix that is not quite orthogonal.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
 /// The ray of points that project to this screen position. NaN for a pixel that is not finite or beyond kFarthestPoint,
-/// or that has no point through the lens. Through a lens it may point backwards. In exact without a lens each component
-/// is within 0.51 ulp.
-Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
-                RayOrigin origin = RayOrigin::eye) noexcept;
+/// or that has no point through the lens. Through a lens it may point backwards.
+Ray screenToRay(const Camera& camera, const Vec2& screen, RayOrigin origin = RayOrigin::eye) noexcept;
 
-/// The rays of many pixels, with their origins, as screenToRay with Precision::standard makes them.
+/// The rays of many pixels, with their origins, as screenToRay makes them.
 void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays,
                   RayOrigin origin = RayOrigin::eye) noexcept;
 

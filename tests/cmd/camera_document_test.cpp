@@ -225,8 +225,9 @@ TEST_CASE("An option and --set displace what contradicts them and leave the rest
   check(base, {"position=7,2,5", "name=5", "viewport.origin=bottom-left", "projection.far=inf"},
         R"({"position": [7, 2, 5], "name": "5", "viewport": {"origin": "bottom-left"}, "projection": {"far": "inf"}})");
   check(base, {"euler=YXZ:1,2,3"}, R"({"target": null, "euler": {"order": "YXZ", "degrees": [1, 2, 3]}})");
-  check(base, {"worldFromCamera.rotation=[0,0,0,1]", "worldFromCamera.translation=1,2,3"},
-        R"({"target": null, "worldFromCamera": {"rotation": [0, 0, 0, 1], "translation": [1, 2, 3]}})");
+  check(
+      base, {"worldFromCamera.rotation=[0,0,0,1]", "worldFromCamera.translation=1,2,3"},
+      R"({"position": null, "target": null, "worldFromCamera": {"rotation": [0, 0, 0, 1], "translation": [1, 2, 3]}})");
   check(base, {"--ortho-height 4"}, R"({"projection": {"type": "orthographic", "fovY": null, "height": 4}})");
   check(pinhole, {"--fov-y 60"}, R"({"projection": {"type": "perspective", "fovY": 60, "fx": null, "fy": null,
     "cx": null, "cy": null, "pixels": null}})");

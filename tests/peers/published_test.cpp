@@ -47,8 +47,8 @@ TEST_CASE("OpenUSD: GfFrustum.ComputePickRay((2, 2)) starts at (2/3, 2/3, -1/3) 
   checkVector(ray.direction, {2.0 / 3, 2.0 / 3, -1.0 / 3}, kRounding);
   CHECK(ray.origin == Vec3{0, 0, 0});
   // GfFrustum starts a unit along the ray; ours starts on the near plane, where the same pixel is.
-  CHECK(screenToRay(camera, {2, 2}, Precision::exact, RayOrigin::nearPlane).origin == Vec3{2, 2, -1});
-  CHECK(screenToRay(camera, {0, 0}, Precision::exact, RayOrigin::nearPlane).origin == Vec3{0, 0, -1});
+  CHECK(screenToRay(camera, {2, 2}, RayOrigin::nearPlane).origin == Vec3{2, 2, -1});
+  CHECK(screenToRay(camera, {0, 0}, RayOrigin::nearPlane).origin == Vec3{0, 0, -1});
 }
 
 TEST_CASE("OpenUSD: GfFrustum.ComputeNarrowedFrustum is a tile of the picture") {

@@ -27,15 +27,11 @@ Projection lens(double near = 0.1, double far = 1000) { return perspective(60, k
 TEST_CASE(
     "A ray does not depend on far, be it 10, 1e8, 1e27, 1e90 or infinite "
     "[galacean/engine#1720, xeokit-sdk#546, FlaxEngine#1486]") {
-  for (Precision precision : {Precision::standard, Precision::exact})
-    for (const Vec2& pixel : kPixels) {
-      const Ray expected = screenToRay(makeCamera(somePose(), lens(0.1, 10), kHd), pixel, precision);
-      for (double far : {2e6, 1e8, 1e27, 1e90, kInfiniteFar}) {
-        const Ray ray = screenToRay(makeCamera(somePose(), lens(0.1, far), kHd), pixel, precision);
-        CHECK(ray.direction == expected.direction);
-        CHECK(ray.origin == expected.origin);
-      }
-    }
+  for (const Vec2& pixel : kPixels) {
+    const Ray expected = screenToRay(makeCamera(somePose(), lens(0.1, 10), kHd), pixel);
+    for (double far : {2e6, 1e8, 1e27, 1e90, kInfiniteFar})
+      CHECK(screenToRay(makeCamera(somePose(), lens(0.1, far), kHd), pixel) == expected);
+  }
 }
 
 TEST_CASE(
@@ -58,12 +54,7 @@ TEST_CASE(
   for (const Vec3& far : {Vec3{1.2e6, 1.2e6, -1.2e6}, Vec3{3e5, 3e5, 3e5}, Vec3{4075539, 931735, 4801629}}) {
     const Vec3 target{far.x + 3, far.y - 2, far.z + 5};
     const Camera moved = makeCamera(lookAt(far, target, {0, 1, 0}, Handedness::right), lens(), kHd);
-    for (const Vec2& pixel : kPixels)
-      for (Precision precision : {Precision::standard, Precision::exact}) {
-        const Ray ray = screenToRay(moved, pixel, precision);
-        CHECK(ray.direction == screenToRay(home, pixel, precision).direction);
-        CHECK(ray.origin == far);
-      }
+    for (const Vec2& pixel : kPixels) CHECK(screenToRay(moved, pixel) == Ray{far, screenToRay(home, pixel).direction});
   }
 }
 

@@ -64,7 +64,7 @@ const Case kCases[] = {
      }},
     {"a ray's origin, near plane",
      [](double s) {
-       return -screenToRay(cameraAt({0, 0, -s}, false), {512, 512}, Precision::exact, RayOrigin::nearPlane).origin.z;
+       return -screenToRay(cameraAt({0, 0, -s}, false), {512, 512}, RayOrigin::nearPlane).origin.z;
      }},
     {"a ray's origin, orthographic",
      [](double s) {

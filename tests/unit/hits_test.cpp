@@ -1,5 +1,4 @@
 // What is hit by nothing; what rays hit, and where, reference/shapes/hits_test.cpp shows.
-#include <limits>
 
 #include "catch.hpp"
 #include "internals.hpp"
@@ -10,9 +9,6 @@ using namespace viewproj;
 using namespace viewproj::detail;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 const Box kCube{{-1, -1, -1}, {1, 1, 1}};
 

@@ -182,7 +182,7 @@ TEST_CASE("Many rays at a time are the rays one by one, with origins, through a 
       screenToRays(camera, pixels, rays, origin);
       screenToRayDirections(camera, pixels, directions);
       for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const Ray one = screenToRay(camera, pixels[i], Precision::standard, origin);
+        const Ray one = screenToRay(camera, pixels[i], origin);
         INFO(i << ": " << pixels[i].x << " " << pixels[i].y);
         const bool hasNone = i < 4 || (i == 4 && lensOf(camera));
         REQUIRE(std::isnan(one.direction.x) == hasNone);

@@ -1,4 +1,4 @@
-// Handles one point at a time: for processors without another kernel, and as the reference for the others.
+// Handles one point at a time: for processors without another kernel, and in tests as the reference for the others.
 #define VIEWPROJ_PORTABLE_KERNEL
 #define VIEWPROJ_KERNELS kPortableKernels
 #define VIEWPROJ_KERNELS_NAME "portable"

@@ -4,9 +4,10 @@
 
 namespace viewproj::detail {
 
-extern const Kernels kPortableKernels;
 #ifdef VIEWPROJ_BASELINE_KERNEL
 extern const Kernels kBaselineKernels;
+#else
+extern const Kernels kPortableKernels;
 #endif
 #ifdef VIEWPROJ_X86_KERNELS
 extern const Kernels kV3Kernels;
@@ -21,9 +22,10 @@ std::atomic<const Kernels*> forced = nullptr;
 
 std::span<const Kernels* const> allKernels() noexcept {
   static constexpr const Kernels* kAll[] = {
-      &kPortableKernels,
 #ifdef VIEWPROJ_BASELINE_KERNEL
       &kBaselineKernels,
+#else
+      &kPortableKernels,
 #endif
 #ifdef VIEWPROJ_X86_KERNELS
       &kV3Kernels,
@@ -46,7 +48,7 @@ bool isSupported([[maybe_unused]] const Kernels& kernels) noexcept {
 const Kernels& kernels() noexcept {
   if (const Kernels* chosen = forced.load(std::memory_order_relaxed)) return *chosen;
   static const Kernels& best = []() -> const Kernels& {
-    const Kernels* chosen = &kPortableKernels;
+    const Kernels* chosen = allKernels().front();
     for (const Kernels* candidate : allKernels())
       if (isSupported(*candidate)) chosen = candidate;
     return *chosen;
