@@ -78,7 +78,7 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   return writer.write(cameras, endingOf(output));
 }
 
-/// {"camera", "position", "pixel"} a line, of the cameras that are picked.
+/// {"camera", "point", "position", "pixel"} a line, of the cameras that are picked.
 void writeObservations(const ConvertOptions& o, const CLI::App& app) {
   for (const char* option : {"--map", "--scale", "--parts", "--world-from-camera", "--camera-from-world"})
     if (app.count(option) > 0)
@@ -97,7 +97,8 @@ void writeObservations(const ConvertOptions& o, const CLI::App& app) {
     if (name.empty()) return;
     JsonObject out;
     const auto& [x, y, z] = seen.position;
-    out.addText("camera", name).addText("position", jsonListOf(std::array{x, y, z}));
+    out.addText("camera", name).addText("point", std::to_string(seen.point));
+    out.addText("position", jsonListOf(std::array{x, y, z}));
     lines += out.addText("pixel", jsonListOf(std::array{seen.pixel.x, seen.pixel.y})).text() + "\n";
     if (lines.size() > kBlock) writeOutput(std::exchange(lines, ""));
   });

@@ -6,10 +6,15 @@
 
 namespace viewproj::cmd {
 
+CLI::Option* RecordCameraOptions::addNamed(CLI::App& app) {
+  each_ = true;
+  return addValue(app, "--camera-by", "FIELD", by_, readText, "The field that names a record's camera of -c");
+}
+
 void RecordCameraOptions::add(CLI::App& app, bool canHide) {
   app.option_defaults()->group(kStreamGroup);
-  CLI::Option* const by =
-      addValue(app, "--camera-by", "FIELD", by_, readText, "The field that names a record's camera of -c");
+  CLI::Option* const by = addNamed(app);
+  each_ = false;
   CLI::Option* const own = app.add_flag("--camera-in-record", own_, "Lay each record's fields over the camera");
   CLI::Option* const each = app.add_flag("--each-camera", each_, "Each record through every camera of -c");
   by->excludes(own)->excludes(each);

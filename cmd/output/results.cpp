@@ -55,7 +55,8 @@ const ResultRows& allResults() {
                              {results::kSegment},
                              {results::kRay},
                              {results::kCull},
-                             {results::kCamera}})
+                             {results::kCamera},
+                             {results::kMeeting}})
       rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();

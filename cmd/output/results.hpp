@@ -191,6 +191,23 @@ inline constexpr ResultRow
     camera = {"camera", ResultKind::word};
 inline constexpr const ResultRow* kCamera[] = {&camera};
 
+// Where rays meet.
+inline constexpr ResultRow
+    position = vectorResult("position", 3),
+    reason = {"reason", ResultKind::word},
+    rays = numberResult("rays"),
+    rmsMiss = numberResult("rmsMiss"),
+    largestMiss = numberResult("largestMiss"),
+    worst = numberResult("worst"),
+    wrong = numberResult("wrong"),
+    angle = numberResult("angle"),
+    sigma = vectorResult("sigma", 3),
+    line = numberResult("line");
+inline constexpr const ResultRow* kMissParts[] = {&line, &camera, &miss};
+inline constexpr ResultRow
+    misses = {"misses", ResultKind::list, 1, kMissParts};
+inline constexpr const ResultRow* kMeeting[] = {&reason, &rays, &rmsMiss, &largestMiss, &worst, &wrong, &angle, &sigma};
+
 inline constexpr ResultRow
     cull = ResultRow{"cull", ResultKind::word}.whereNamed(),
     plane = ResultRow{"plane", ResultKind::word}.whereNamed();

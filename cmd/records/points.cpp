@@ -360,6 +360,18 @@ NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
   return plan;
 }
 
+NumberPlan findTwoPixels(const RecordView& record, const ColumnChoice& columns) {
+  if (columns.given()) return chosenFields(columns, record, false);
+  if (isNameless(*record.schema)) {
+    if (record.schema->size != 4) failWithCount(record, "u1 v1 u2 v2");
+    return firstFields(4, 0);
+  }
+  Conditions conditions;
+  if (auto plan = find(coordinates::twoUv, record, conditions)) return *plan;
+  throw RecordError(0, "has no " + std::string(coordinates::twoUv.name) + ", a pixel in each of two cameras" +
+                           fieldsNote(*record.schema) + "; --columns names them");
+}
+
 NumberPlan findPair(const RecordView& record, const PointReading& reading) {
   NumberPlan plan;
   std::size_t ofPixel = 2;  // fields, the last ones
