@@ -77,16 +77,18 @@ std::optional<Rows> inverseOf(const Rows& a) {
   return Rows{scaled(sides[0], 1 / size), scaled(sides[1], 1 / size), scaled(sides[2], 1 / size)};
 }
 
-/// A point and the squares of its misses, whose curvature and slope are `normal` and `slope`.
+/// A point, its looks at the rays, the sum of their squares, and half its curvature and slope.
 struct Meeting {
   Vec3 point;
-  double cost = HUGE_VAL;
+  std::vector<Look> looks;
+  double cost = 0;
   Rows normal{};
   Vec3 slope{};
 
-  Meeting(const Rays& rays, const Vec3& at) : point(at), cost(0) {
+  Meeting(const Rays& rays, const Vec3& at) : point(at) {
+    looks.reserve(rays.size());
     for (const SightRay& ray : rays) {
-      const Look look = lookAt(ray, at);
+      const Look look = looks.emplace_back(lookAt(ray, at));
       cost += look.miss.x * look.miss.x + look.miss.y * look.miss.y;
       for (std::size_t i = 0; i < 3; ++i) {
         slope[i] += look.slope[i].x * look.miss.x + look.slope[i].y * look.miss.y;
@@ -132,11 +134,11 @@ std::optional<Meeting> meetingOf(const Rays& rays, const Vec3& start) {
     const auto inverse = inverseOf(damped);
     if (!inverse) break;
     const Vec3 way = *inverse * at.slope;
-    const Meeting next(rays, sum(at.point, 1, way));
     if (length(way) <= 1e-12 * nearestEye(rays, at.point) + 0x1p-52 * length(at.point)) break;
+    Meeting next(rays, sum(at.point, 1, way));
     const bool isBetter = next.cost <= at.cost;
     damping = isBetter ? damping / 100 : std::max(100 * damping, 1e-4);
-    if (isBetter) at = next;
+    if (isBetter) at = std::move(next);
   }
   return at;
 }
@@ -152,20 +154,44 @@ double largestAngle(const Rays& rays) {
   return largest * 180 / std::numbers::pi;
 }
 
-/// The ray that misses by more than five times the others' rms, and than a pixel, where it is left out.
-std::optional<std::size_t> wrongRay(const Rays& rays) {
-  constexpr double kTimes = 5, kLeast = 0.2;
+/// The least squares from the point that is nearest to the rays.
+std::optional<Meeting> meetingOf(const Rays& rays) {
+  const auto start = rays.size() > 1 ? nearestPoint(rays) : std::nullopt;
+  return start ? meetingOf(rays, *start) : std::nullopt;
+}
+
+/// A miss in units of what a pixel of noise makes it: its own noise, and what the noise of the others makes of the
+/// point that they meet in. Where the point is of all rays, this ray's too, it is what it would be without it, nearly.
+double weighed(const Look& look, const Meeting& met, bool isOfAll) {
+  const auto variance = inverseOf(met.normal);
+  if (!variance) return std::isfinite(look.miss.x) ? 0 : HUGE_VAL;
+  const auto along = [&](double Vec2::*a, double Vec2::*b) {
+    const Vec3 across{look.slope[0].*b, look.slope[1].*b, look.slope[2].*b};
+    const double of = dot(Vec3{look.slope[0].*a, look.slope[1].*a, look.slope[2].*a}, *variance * across);
+    return (a == b ? 1 : 0) + (isOfAll ? -of : of);
+  };
+  const double xx = along(&Vec2::x, &Vec2::x), xy = along(&Vec2::x, &Vec2::y), yy = along(&Vec2::y, &Vec2::y);
+  const auto [x, y] = look.miss;
+  const double square = (yy * x * x - 2 * xy * x * y + xx * y * y) / (xx * yy - xy * xy);
+  return square >= 0 ? std::sqrt(square) : HUGE_VAL;
+}
+
+/// The ray whose weighed miss is beyond five times the rms of the others, and of half a pixel of noise, where it is
+/// left out; of several, the one whose others agree best. met: of all rays.
+std::optional<std::size_t> wrongRay(const Rays& rays, const std::optional<Meeting>& met, double noise) {
+  constexpr double kTimes = 5;
+  const double least = noise / 2;
   std::optional<std::size_t> wrong;
   double best = HUGE_VAL;
   for (std::size_t i = 0; rays.size() > 2 && i < rays.size(); ++i) {
+    if (met && weighed(met->looks[i], *met, true) < kTimes * least / 2) continue;  // far from it
     Rays rest = rays;
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-    const auto start = nearestPoint(rest);
-    const auto met = start ? meetingOf(rest, *start) : std::nullopt;
-    if (!met) continue;
-    const Vec2 miss = lookAt(rays[i], met->point).miss;
-    const double rms = std::sqrt(met->cost / static_cast<double>(rest.size()));
-    if (length(miss) <= kTimes * std::max(rms, kLeast) || rms >= best) continue;
+    const auto without = meetingOf(rest);
+    if (!without) continue;
+    const double rms = std::sqrt(without->cost / static_cast<double>(rest.size()));
+    if (rms >= best || weighed(lookAt(rays[i], without->point), *without, false) <= kTimes * std::max(rms, least))
+      continue;
     best = rms;
     wrong = i;
   }
@@ -243,21 +269,22 @@ void Triangulator::write(const RecordView& record, std::span<const Sighting> sig
     const Ray ray = screenToRay(seen.eye->from->camera, seen.pixel, Precision::standard);
     if (std::isfinite(ray.direction.x)) rays_.push_back({&seen, ray});
   }
-  const auto wrong = wrongRay(rays_);
+  auto met = meetingOf(rays_);
+  const auto wrong = wrongRay(rays_, met, options_.noise);
   const double wrongLine = wrong ? static_cast<double>(rays_[*wrong].seen->line) : NAN;
-  if (wrong && options_.isRobust) rays_.erase(rays_.begin() + static_cast<std::ptrdiff_t>(*wrong));
-  const auto start = rays_.size() > 1 ? nearestPoint(rays_) : std::nullopt;
-  const auto met = start ? meetingOf(rays_, *start) : std::nullopt;
+  if (wrong && options_.isRobust) {
+    rays_.erase(rays_.begin() + static_cast<std::ptrdiff_t>(*wrong));
+    met = meetingOf(rays_);
+  }
   const Vec3 sigma = met ? sigmaOf(*met) : kNone;
   const std::string_view reason = reasonAgainst(rays_, met, sigma);
   const bool isThere = reason.empty();
   lacksPoints_ |= !isThere;
 
-  std::vector<Vec2> misses;
+  const auto missOf = [&](std::size_t i) { return isThere ? met->looks[i].miss : Vec2{NAN, NAN}; };
   std::size_t worst = 0;
-  for (const SightRay& ray : rays_) misses.push_back(isThere ? lookAt(ray, met->point).miss : Vec2{NAN, NAN});
-  for (std::size_t i = 0; i < misses.size(); ++i)
-    if (length(misses[i]) > length(misses[worst])) worst = i;
+  for (std::size_t i = 0; i < rays_.size(); ++i)
+    if (length(missOf(i)) > length(missOf(worst))) worst = i;
   const auto count = static_cast<double>(rays_.size());
   values_.clear();
   const Geodetic place = isThere && isOnEarth_ ? ecefToGeodetic(met->point) : Geodetic{NAN, NAN, NAN};
@@ -265,7 +292,7 @@ void Triangulator::write(const RecordView& record, std::span<const Sighting> sig
   values_.addWord(reason);
   values_.add(count);
   values_.add(isThere ? std::sqrt(met->cost / count) : NAN);
-  values_.add(isThere ? length(misses[worst]) : NAN);
+  values_.add(isThere ? length(missOf(worst)) : NAN);
   values_.add(isThere ? static_cast<double>(rays_[worst].seen->line) : NAN);
   values_.add(wrongLine);
   values_.add(rays_.size() > 1 ? largestAngle(rays_) : NAN);
@@ -274,7 +301,7 @@ void Triangulator::write(const RecordView& record, std::span<const Sighting> sig
   for (std::size_t i = 0; options_.hasMisses && i < rays_.size(); ++i) {
     values_.add(static_cast<double>(rays_[i].seen->line));
     values_.addWord(rays_[i].seen->eye->from->name);
-    values_.add(misses[i]);
+    values_.add(missOf(i));
   }
   if (!output_) output_.emplace(setup_, *record.schema, rows());
   output_->write(record, values_);
