@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "camera/fields.hpp"
+#include "camera/sea_level.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -33,11 +34,13 @@ bool isOneOf(std::string_view name, std::string_view words) {
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {
   for (const auto& [path, names] : kShort)
     if (isOneOf(column, names)) return std::string(path);
-  if (isOneOf(column, "height alt altitude elevation")) return isOnEarth ? "position.height" : "";
+  const bool isSeaLevel = isOneOf(column, "alt altitude elevation ele");
+  if (isSeaLevel || column == "height")
+    return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
   if (isOneOf(column, kLens)) return "projection." + std::string(column);
   if (column == "name" || column == "$schema") return "";
   const std::size_t dot = std::min(column.rfind('.'), column.size());
-  const bool isPart = isOneOf(column.substr(dot), ".x .y .z .w .lat .lon .height");
+  const bool isPart = isOneOf(column.substr(dot), ".x .y .z .w .lat .lon .height .altitude");
   const auto isField = [&](const Field& field) {
     return field.path == column || (isPart && field.path == column.substr(0, dot));
   };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/rigid.hpp"
+#include "camera/sea_level.hpp"
 #include "numbers/double_double.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -317,7 +318,11 @@ Position readPosition(const Node& value) {
   allowMembers(value, wordsIn(rowOf(Kind::place).members));
   const Angle lat = readAngle(value.require("lat"), -90, 90, "from -90 to 90 degrees");
   const Angle lon = readAngle(value.require("lon"), -360, 360, "from -360 to 360 degrees");
-  const Geodetic place{degreesOf(lat), degreesOf(lon), value.require("height").number()};
+  const auto altitude = value.find("altitude");
+  if (altitude && value.find("height")) altitude->fail("is the height above sea level; keep one of height and altitude");
+  if (altitude && !hasGeoid()) altitude->fail(kNeedsGeoid);
+  Geodetic place{degreesOf(lat), degreesOf(lon), (altitude ? *altitude : value.require("height")).number()};
+  if (altitude) place.height += seaLevelAt(place.lat, place.lon);
   const Vec3 point = geodeticToEcef(place);
   return {point, place, placeError(point), lat.isRadians || lon.isRadians};
 }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "camera/plain_camera.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
@@ -41,6 +42,7 @@ struct ProjectedPoint {
   bool isPoint;                         ///< no shape without a center, and not null
   double error;                         ///< how far the point may be from the true one
   Vec2 given = {kNaN, kNaN};            ///< the record's own pixel
+  bool isHidden = false;                ///< by the Earth
 };
 
 /// A result of project, and how its values are added.
@@ -79,8 +81,8 @@ constexpr PointResult kPointResults[] = {
     {results::screen, [](P p, V values) { values.add(Vec2{p.screen.x, p.screen.y}); }},
     {results::depth, [](P p, V values) { values.add(p.screen.depth); }},
     {results::viewDistance, [](P p, V values) { values.add(p.screen.viewDistance); }},
-    {results::visible, [](P p, V values) { values.add(p.screen.visible()); }},
-    {results::outside, [](P p, V values) { addSides(values, p.screen); }},
+    {results::visible, [](P p, V values) { values.add(p.screen.visible() && !p.isHidden); }},
+    {results::outside, [](P p, V values) { addSides(values, p.screen, p.isHidden); }},
     {results::ndc, [](P p, V values) { values.add(xyz(pointIn(Space::ndc, p))); }},
     {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
     {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},
@@ -278,7 +280,9 @@ class Projector final : public RecordProcessor {
       addFields(screen_[i], i, std::nullopt, fieldsOf(false), values);
   }
 
-  bool isVisible(std::size_t i) const override { return items_[i] == kPoint ? screen_[i].visible() : isOtherVisible_; }
+  bool isVisible(std::size_t i) const override {
+    return items_[i] == kPoint ? screen_[i].visible() && !isHidden(i) : isOtherVisible_;
+  }
 
   void clear() override {
     items_.clear();
@@ -329,6 +333,11 @@ class Projector final : public RecordProcessor {
     if (!how_.worldFromLocal) return local;
     const Vec4 world = toWorld(*how_.worldFromLocal, {local.x, local.y, local.z, 1});
     return {world.x, world.y, world.z};
+  }
+
+  bool isHidden(std::size_t i) const {
+    const RecordCamera& from = *cameras_[i];
+    return from.worldIsEcef && items_[i] == kPoint && earthHides(from.camera.pose().eye(), points_[i]);
   }
 
   const Rows& fieldsOf(bool isShape) const {
@@ -389,7 +398,8 @@ class Projector final : public RecordProcessor {
     const bool isPoint = items_[i] == kPoint || std::isfinite(points_[i].x);
     const ProjectedPoint projected{camera,     camera.camera, how_.options,
                                    points_[i], screen,        box,
-                                   isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
+                                   isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN},
+                                   isHidden(i)};
     for (const PointResult* result : rows)
       if (!(leftOut_[i] >> (result - kPointResults) & 1)) result->add(projected, values);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "camera/plain_camera.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
@@ -70,12 +71,18 @@ struct Casting {
   bool allHits = false;
 
   bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
-  const ResultRow& hits() const { return allHits ? results::hits : placesHits() ? results::placedHit : results::hit; }
+  const ResultRow& hits() const {
+    if (!placesHits()) return allHits ? results::hits : results::hit;
+    if (hasGeoid()) return allHits ? results::seaHits : results::seaHit;
+    return allHits ? results::hits : results::placedHit;
+  }
 };
 
 bool isOfTheEarth(const SceneObject& object) {
   return std::holds_alternative<Ellipsoid>(object.shape) || std::holds_alternative<HeightSurface>(object.shape);
 }
+
+const ResultRow& placeRow() { return hasGeoid() ? results::seaPlace : results::place; }
 
 /// A pixel, and what is behind it.
 struct Cast {
@@ -125,7 +132,7 @@ class Caster final : public RecordProcessor {
     if (how_.fields) return *how_.fields;
     ResultRows rows = {&results::origin, &results::direction};
     if (hasDistance) rows.push_back(&results::point);
-    if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&results::place);
+    if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&placeRow());
     if (how_.scene) rows.push_back(&how_.hits());
     return rows;
   }
@@ -138,7 +145,7 @@ class Caster final : public RecordProcessor {
       values.add(cast.ray.direction);
     } else if (&row == &results::point) {
       values.add(cast.point.position);
-    } else if (&row == &results::place) {
+    } else if (&row == &placeRow()) {
       values.addCount(isPoint ? 1 : 0);
       if (isPoint) addPlace(cast.point.position, values);
     } else if (&row == &results::pointDistance) {
@@ -164,6 +171,7 @@ class Caster final : public RecordProcessor {
   static void addPlace(const Vec3& point, ResultValues& values) {
     const Geodetic place = ecefToGeodetic(point);
     for (const double number : {place.lat, place.lon, place.height}) values.add(number);
+    if (hasGeoid()) values.add(place.height - seaLevelAt(place.lat, place.lon));
   }
 
   void addHit(const SceneHit& hit, ResultValues& values) const {
@@ -212,7 +220,7 @@ struct Options {
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
   std::vector<PlaneEquation> planes;
-  std::optional<double> height;
+  std::optional<double> height, altitude;
   bool allHits = false;
 };
 
@@ -231,6 +239,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
+    if (row == &results::place) row = &placeRow();
     if (row != &results::hit) continue;
     if (!how.scene) throw UsageError("--fields hit needs --scene, --plane or --height");
     row = &how.hits();
@@ -238,7 +247,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
 }
 
 int run(const Options& o) {
-  const bool hasScene = o.scene || !o.planes.empty() || o.height;
+  const bool hasScene = o.scene || !o.planes.empty() || o.height || o.altitude;
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene, --plane or --height");
   StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
@@ -256,6 +265,8 @@ int run(const Options& o) {
           "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
+    if (o.altitude && !cameras.first()) throw UsageError("--altitude needs one camera, or cameras that -c holds");
+    if (o.altitude) how.scene->push_back({"0", HeightSurface{heightOfAltitude(*cameras.first(), *o.altitude)}});
     if (o.height && worldIsEcef) how.scene->push_back({"0", HeightSurface{*o.height}});
     if (o.height && !worldIsEcef) how.scene->push_back({"0", PlaneEquation{{0, 0, 1}, -*o.height}});
     for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
@@ -290,6 +301,11 @@ Action declareRay(CLI::App& app) {
            "The surface of this height to hit, or z = H")
       ->excludes("--scene")
       ->excludes("--plane");
+  addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
+           "The same above sea level, as --geoid has it at the camera")
+      ->excludes("--scene")
+      ->excludes("--plane")
+      ->excludes("--height");
   app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "camera/sea_level.hpp"
 #include "commands/check/plain_camera.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
@@ -231,6 +232,7 @@ class Triangulator {
   ResultRows rows() const {
     ResultRows rows{&results::position};
     if (isOnEarth_) rows = {&results::lat, &results::lon, &results::height};
+    if (isOnEarth_ && hasGeoid()) rows.push_back(&results::altitude);
     rows.insert(rows.end(), std::begin(results::kMeeting), std::end(results::kMeeting));
     if (options_.hasMisses) rows.push_back(&results::misses);
     return rows;
@@ -289,6 +291,7 @@ void Triangulator::write(const RecordView& record, std::span<const Sighting> sig
   values_.clear();
   const Geodetic place = isThere && isOnEarth_ ? ecefToGeodetic(met->point) : Geodetic{NAN, NAN, NAN};
   values_.add(!isThere ? kNone : isOnEarth_ ? Vec3{place.lat, place.lon, place.height} : met->point);
+  if (isOnEarth_ && hasGeoid()) values_.add(place.height - seaLevelAt(place.lat, place.lon));
   values_.addWord(reason);
   values_.add(count);
   values_.add(isThere ? std::sqrt(met->cost / count) : NAN);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/sea_level.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -44,7 +45,7 @@ std::optional<NumberPlan> findEach(const RecordView& record, std::span<const Coo
   for (const auto& [field, also] : matches) {
     if (!field) break;
     if (also) throw hasBoth(record.offset(*also), inQuotes(names[*field]), inQuotes(names[*also]), true);
-    if (isSeaLevelName(names[*field])) plan.notes.push_back(seaLevelNote(names[*field]));
+    noteSeaLevel(names[*field], plan);
     plan.fields.push_back({*field, 1, 1, false, orNull});
   }
   return plan;
@@ -309,8 +310,9 @@ void requireNoOtherDistance(const RecordView& record) {
 Vec4 pointOf(const NumberPlan& plan, std::size_t slots, const Numbers& n) {
   if (n.isNull) throw RecordError(0, "has no point: it is null");
   if (plan.kind == kindPlace || plan.kind == kindPlacedSphere) {
-    const Geodetic place{n[0], n[1], n[2]};
+    Geodetic place{n[0], n[1], n[2]};
     if (const std::string fault = faultOf(place); !fault.empty()) throw RecordError(0, fault);
+    if (plan.isAboveSea) place.height += seaLevelAt(place.lat, place.lon);
     const Vec3 p = geodeticToEcef(place);
     return {p.x, p.y, p.z, 1};
   }
