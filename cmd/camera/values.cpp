@@ -123,46 +123,6 @@ Mat4 rotationOf(const Node& euler) {
   return m;
 }
 
-RigidTransform readRigid(const Node& value) {
-  if (isChain(value.json())) {
-    Rigid product;
-    for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
-    return {matrixOf(product), detail::rounded(product.origin)};
-  }
-  if (!value.json().is_object()) {
-    // Numbers without rows may run by rows or by columns.
-    if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
-      value.fail("expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
-    const Mat4 matrix = value.mat4();
-    requireAffine(matrix, value);
-    return {matrix, {matrix[0][3], matrix[1][3], matrix[2][3]}};
-  }
-  allowMembers(value, wordsIn(rowOf(Kind::rigid).members));
-  const auto rotation = value.find("rotation"), vector = value.find("rotationVector"), euler = value.find("euler");
-  const int turns = int(rotation.has_value()) + int(vector.has_value()) + int(euler.has_value());
-  if (turns > 1) value.fail("rotation, rotationVector and euler are the same thing; keep one");
-  if (turns == 0) value.fail("needs rotation, rotationVector or euler");
-  const Vec3 translation = value.require("translation").vec3();
-  if (vector) {
-    constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
-    const Vec3 v = vector->vec3();
-    if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
-    return {RotationVector{v}, translation};
-  }
-  Mat4 matrix;
-  if (euler) {
-    matrix = rotationOf(*euler);
-  } else {
-    if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
-    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
-    const std::vector<double> r = rotation->numbers(9);
-    for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
-  }
-  for (std::size_t i = 0; i < 3; ++i) matrix[i][3] = translation[i];
-  matrix[3] = {0, 0, 0, 1};
-  return {matrix, translation};
-}
-
 MatrixNumbers readMatrix(const Node& value) {
   (void)value.numbers(16);
   return {value.mat4(), value.json().is_array() && value.json().size() == 16};
@@ -301,6 +261,46 @@ FieldValue readValue(const Node& value, const Field& field) {
       break;
   }
   return readLensNumbers(value);
+}
+
+RigidTransform readRigid(const Node& value) {
+  if (isChain(value.json())) {
+    Rigid product;
+    for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
+    return {matrixOf(product), detail::rounded(product.origin)};
+  }
+  if (!value.json().is_object()) {
+    // Numbers without rows may run by rows or by columns.
+    if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
+      value.fail("expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
+    const Mat4 matrix = value.mat4();
+    requireAffine(matrix, value);
+    return {matrix, {matrix[0][3], matrix[1][3], matrix[2][3]}};
+  }
+  allowMembers(value, wordsIn(rowOf(Kind::rigid).members));
+  const auto rotation = value.find("rotation"), vector = value.find("rotationVector"), euler = value.find("euler");
+  const int turns = int(rotation.has_value()) + int(vector.has_value()) + int(euler.has_value());
+  if (turns > 1) value.fail("rotation, rotationVector and euler are the same thing; keep one");
+  if (turns == 0) value.fail("needs rotation, rotationVector or euler");
+  const Vec3 translation = value.require("translation").vec3();
+  if (vector) {
+    constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
+    const Vec3 v = vector->vec3();
+    if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
+    return {RotationVector{v}, translation};
+  }
+  Mat4 matrix;
+  if (euler) {
+    matrix = rotationOf(*euler);
+  } else {
+    if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
+    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
+    const std::vector<double> r = rotation->numbers(9);
+    for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
+  }
+  for (std::size_t i = 0; i < 3; ++i) matrix[i][3] = translation[i];
+  matrix[3] = {0, 0, 0, 1};
+  return {matrix, translation};
 }
 
 Angle readAngle(const Node& value, double least, double most, const char* range) {

@@ -175,10 +175,11 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   return {openCameras(source.file, opening, std::move(all)), source.pick};
 }
 
-CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
+CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture,
+                                  bool boxMayLack) const {
   CameraFile file = [&] {
     try {
-      return readCamera(cameras.document(which), reading(needsPicture));
+      return readCamera(cameras.document(which), reading(needsPicture, boxMayLack));
     } catch (const InputError& e) {
       if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
       throw;

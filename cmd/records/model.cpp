@@ -3,7 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/patch.hpp"
 #include "camera/read_camera.hpp"
+#include "camera/rigid.hpp"
 #include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "text/error.hpp"
@@ -77,6 +79,10 @@ Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
 Mat4 readModel(const std::string& source) {
   constexpr const char* kForms =
       "4 rows of 4 numbers, or {\"translation\": [x, y, z], \"rotation\": [x, y, z, w], \"scale\": [x, y, z]}";
+  if (const auto pose = poseOfText(source)) {
+    const Document typed{"--model " + source, std::make_shared<Json>(*pose)};
+    return matrixOf(rigidOf(readRigid(Node(typed))));
+  }
   if (source.find(',') != std::string::npos && parseNumberList(source))
     throw UsageError("--model " + source + ": expected a file or the JSON itself: " + kForms);
   const Document document = load(source, "--model");
