@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
+#include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
 #include "stream/filter.hpp"
@@ -69,6 +71,21 @@ struct Casting {
   std::optional<std::vector<SceneObject>> scene = {};
   bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
+  std::optional<Mat4> localFromWorld = {}, worldFromLocal = {};  ///< of a model, whose coordinates the results have
+
+  Vec3 placed(const Vec3& world) const {
+    if (!localFromWorld) return world;
+    const Vec4 local = toWorld(*localFromWorld, {world.x, world.y, world.z, 1});
+    return {local.x, local.y, local.z};
+  }
+  /// Of unit length, by the columns of m in place of its rows for a normal.
+  static Vec3 turned(const std::optional<Mat4>& m, const Vec3& world, bool byColumns) {
+    if (!m) return world;
+    Vec3 local;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) local[i] += (byColumns ? (*m)[j][i] : (*m)[i][j]) * world[j];
+    return unit(local);
+  }
 
   bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
   const ResultRow& hits() const {
@@ -140,11 +157,11 @@ class Caster final : public RecordProcessor {
   void addResult(const ResultRow& row, const Cast& cast, ResultValues& values) const {
     const bool isPoint = cast.point.status == DepthStatus::point;
     if (&row == &results::origin) {
-      values.add(cast.ray.origin);
+      values.add(how_.placed(cast.ray.origin));
     } else if (&row == &results::direction) {
-      values.add(cast.ray.direction);
+      values.add(how_.turned(how_.localFromWorld, cast.ray.direction, false));
     } else if (&row == &results::point) {
-      values.add(cast.point.position);
+      values.add(how_.placed(cast.point.position));
     } else if (&row == &placeRow()) {
       values.addCount(isPoint ? 1 : 0);
       if (isPoint) addPlace(cast.point.position, values);
@@ -177,8 +194,8 @@ class Caster final : public RecordProcessor {
   void addHit(const SceneHit& hit, ResultValues& values) const {
     values.addWord(hit.object->id);
     values.add(hit.hit.distance);
-    values.add(hit.hit.point);
-    values.add(hit.hit.normal);
+    values.add(how_.placed(hit.hit.point));
+    values.add(how_.turned(how_.worldFromLocal, hit.hit.normal, true));
     if (!how_.allHits && !how_.placesHits()) return;
     const bool isPlace = how_.worldIsEcef || isOfTheEarth(*hit.object);
     addPlace(isPlace ? hit.hit.point : Vec3{NAN, NAN, NAN}, values);
@@ -218,7 +235,7 @@ struct Options {
   Precision precision = Precision::exact;
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
-  std::optional<std::string> scene;
+  std::optional<std::string> scene, model;
   std::vector<PlaneEquation> planes;
   std::optional<double> height, altitude;
   bool allHits = false;
@@ -259,6 +276,11 @@ int run(const Options& o) {
   });
   const bool worldIsEcef = cameras.worldIsEcef();
   Casting how{.precision = o.precision, .columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
+  if (o.model) {
+    how.worldFromLocal = readModel(*o.model);
+    how.localFromWorld = inverseOfAffine(*how.worldFromLocal);
+    if (!how.localFromWorld) throw UsageError("--model: has no inverse, so that no point of the world is in it");
+  }
   if (hasScene) {
     if (!o.planes.empty() && worldIsEcef)
       throw UsageError(
@@ -314,6 +336,7 @@ Action declareRay(CLI::App& app) {
       app, "--fields", "NAMES", o->fields, readFields,
       withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
   addPrecision(app, o->precision);
+  addModel(app, o->model, "Write rays and points in the coordinates of this model");
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };
