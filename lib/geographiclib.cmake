@@ -1,4 +1,4 @@
-# viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles the two sources of it that are
+# viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles the four sources of it that are
 # needed. VIEWPROJ_LINKS_GEOGRAPHICLIB is on if it links: users of the library then need GeographicLib too.
 include(FetchContent)
 if(POLICY CMP0135)
@@ -27,8 +27,9 @@ function(viewproj_use_geographiclib target)
     "#define GEOGRAPHICLIB_VERSION_STRING \"2.1.2\"\n#define GEOGRAPHICLIB_VERSION_MAJOR 2\n"
     "#define GEOGRAPHICLIB_VERSION_MINOR 1\n#define GEOGRAPHICLIB_VERSION_PATCH 2\n"
     "#define GEOGRAPHICLIB_HAVE_LONG_DOUBLE 1\n#define GEOGRAPHICLIB_WORDS_BIGENDIAN 0\n"
-    "#define GEOGRAPHICLIB_PRECISION 2\n#define GEOGRAPHICLIB_SHARED_LIB 0\n")
-  set(sources ${geographiclib_SOURCE_DIR}/src/Geocentric.cpp ${geographiclib_SOURCE_DIR}/src/Math.cpp)
+    "#define GEOGRAPHICLIB_DATA \"/usr/local/share/GeographicLib\"\n#define GEOGRAPHICLIB_PRECISION 2\n#define GEOGRAPHICLIB_SHARED_LIB 0\n")
+  set(sources ${geographiclib_SOURCE_DIR}/src/Geocentric.cpp ${geographiclib_SOURCE_DIR}/src/Geoid.cpp
+    ${geographiclib_SOURCE_DIR}/src/Math.cpp ${geographiclib_SOURCE_DIR}/src/Utility.cpp)
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -w)
   target_sources(${target} PRIVATE ${sources})
   target_include_directories(${target} SYSTEM PRIVATE ${fetched} ${geographiclib_SOURCE_DIR}/include)

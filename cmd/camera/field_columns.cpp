@@ -4,12 +4,16 @@
 #include <iterator>
 
 #include "camera/fields.hpp"
+#include "camera/sea_level.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-/// Paths, and the short names of each.
-constexpr std::string_view kShort[][2] = {{"position.x", "x"},
+/// Paths, and the other names of each.
+constexpr std::string_view kShort[][2] = {{"position", "eye"},
+                                          {"target", "lookAt"},
+                                          {"position.x", "x"},
                                           {"position.y", "y"},
                                           {"position.z", "z"},
                                           {"position.lat", "lat latitude"},
@@ -19,30 +23,44 @@ constexpr std::string_view kShort[][2] = {{"position.x", "x"},
                                           {"rotation.z", "qz"},
                                           {"rotation.w", "qw"},
                                           {"heading", "yaw"}};
-/// Members of the projection whose names have no other meaning.
-constexpr std::string_view kLens =
-    "fovY fovX fovDiagonal focalLength sensorWidth sensorHeight sensorDiagonal fx fy cx cy near far";
+/// Names that may be of something else: only their whole path is a camera's.
+constexpr std::string_view kAmbiguous = "name $schema type left right bottom top width height matrix pixels origin";
 
-bool isOneOf(std::string_view name, std::string_view words) {
-  const std::vector<std::string_view> all = wordsIn(words);
-  return std::find(all.begin(), all.end(), name) != all.end();
+/// The one of these words that is the name in any letter case; or nothing.
+std::string_view wordFor(std::string_view name, std::string_view words) {
+  for (const std::string_view word : wordsIn(words))
+    if (sameButForCase(word, name)) return word;
+  return "";
 }
+bool isOneOf(std::string_view name, std::string_view words) { return !wordFor(name, words).empty(); }
 
 }  // namespace
 
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {
   for (const auto& [path, names] : kShort)
     if (isOneOf(column, names)) return std::string(path);
-  if (isOneOf(column, "height alt altitude elevation")) return isOnEarth ? "position.height" : "";
-  if (isOneOf(column, kLens)) return "projection." + std::string(column);
-  if (column == "name" || column == "$schema") return "";
-  const std::size_t dot = std::min(column.rfind('.'), column.size());
-  const bool isPart = isOneOf(column.substr(dot), ".x .y .z .w .lat .lon .height");
-  const auto isField = [&](const Field& field) {
-    return field.path == column || (isPart && field.path == column.substr(0, dot));
-  };
-  const bool isWhole = column == "projection" || column == "viewport";
-  return isWhole || std::any_of(std::begin(kFields), std::end(kFields), isField) ? std::string(column) : "";
+  const bool isSeaLevel = isOneOf(column, "alt altitude elevation ele");
+  if (isSeaLevel || column == "height")
+    return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
+  if (isOneOf(column, kAmbiguous)) return "";
+  if (const auto object = wordFor(column, "projection viewport convention"); !object.empty())
+    return std::string(object);
+  for (const Field& field : kFields)
+    if (sameButForCase(column, field.path)) return std::string(field.path);
+  for (const Field& field : kFields)
+    if ((field.types != 0 || topName(field) == "viewport") &&
+        sameButForCase(column, field.path.substr(field.path.rfind('.') + 1)))
+      return std::string(field.path);
+  // A member of a field's value.
+  const std::size_t dot = column.rfind('.');
+  if (dot == std::string_view::npos) return "";
+  for (const Field& field : kFields) {
+    const std::string members = "x y z w " + std::string(rowOf(field.kind).members);
+    const std::string_view member = wordFor(column.substr(dot + 1), members);
+    if (!member.empty() && sameButForCase(column.substr(0, dot), field.path))
+      return std::string(field.path) + "." + std::string(member);
+  }
+  return "";
 }
 
 }  // namespace viewproj::cmd

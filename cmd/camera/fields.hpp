@@ -67,7 +67,8 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
     {Kind::size, "W,H", "[a, b]", R"({"$ref": "#/$defs/xy"})", true},
     {Kind::direction, "X,Y,Z", "[x, y, z]", R"({"$ref": "#/$defs/xyz"})", true},
     {Kind::place, "X,Y,Z|lat=..,lon=..,height=..", "[x, y, z] or {lat, lon, height}",
-     R"({"anyOf": [{"$ref": "#/$defs/xyz"}, {"type": "object", "required": ["lat", "lon", "height"]}]})", true, "lat lon height"},
+     R"({"anyOf": [{"$ref": "#/$defs/xyz"}, {"type": "object", "required": ["lat", "lon"],
+         "anyOf": [{"required": ["height"]}, {"required": ["altitude"]}]}]})", true, "lat lon height altitude"},
     {Kind::quaternion, "X,Y,Z,W", "[x, y, z, w]", R"({"$ref": "#/$defs/xyzw"})", true},
     {Kind::euler, "YXZ:A,B,C", "{order, degrees}", R"({"type": "object", "required": ["order", "degrees"]})", false,
      "order degrees"},
@@ -76,14 +77,14 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
          {"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "object"}, {"type": "array"}]}}]})", false,
      "rotation rotationVector euler translation"},
     {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
-    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  // members: read_lens.cpp
+    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  
      R"({"type": "object", "required": ["model"], "additionalProperties": false, "properties": {
          "model": {"enum": ["brown", "fisheye", "unified", "double-sphere", "omni", "fov"]},
          "k": {"type": "array", "items": {"type": "number"}, "maxItems": 6}, "p": {"$ref": "#/$defs/pair"},
          "xi": {"type": "number", "exclusiveMinimum": -1}, "alpha": {"type": "number"},
          "beta": {"type": "number", "exclusiveMinimum": 0},
          "omega": {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 3.15},
-         "limit": {"type": "object"}}})"},
+         "limit": {"type": "object"}}})", false, "model k p xi alpha beta omega limit"},
 };
 // clang-format on
 constexpr const KindRow& rowOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }

@@ -98,19 +98,23 @@ struct ProjectionReader {
   }
 
   Projection orthographic() const {
-    if (!has("projection.near")) fail("needs near");
-    if (!has("projection.far")) fail("needs far");
+    const bool mayLack = options.boxMayLack, hasNear = has("projection.near"), hasFar = has("projection.far");
+    if (!hasNear && !mayLack) fail("needs near");
+    if (!hasFar && !mayLack) fail("needs far");
+    const double zNear = hasNear || !hasFar ? near : far - 1, zFar = hasFar ? far : zNear + 1;
     const double width = values.valueOr("projection.width", 0.0), height = values.valueOr("projection.height", 0.0);
     if (width > 0 && height > 0) {
       requireNoAspect("width and height");
-      return viewproj::orthographic(-width / 2, width / 2, -height / 2, height / 2, near, far);
+      return viewproj::orthographic(-width / 2, width / 2, -height / 2, height / 2, zNear, zFar);
     }
-    if (height > 0) return orthographicHeight(height, aspect(), near, far);
-    if (width > 0) return orthographicWidth(width, aspect(), near, far);
-    if (!has("projection.left") && !has("projection.right") && !has("projection.bottom") && !has("projection.top"))
+    if (height > 0) return orthographicHeight(height, aspect(), zNear, zFar);
+    if (width > 0) return orthographicWidth(width, aspect(), zNear, zFar);
+    if (!has("projection.left") && !has("projection.right") && !has("projection.bottom") && !has("projection.top")) {
+      if (mayLack) return orthographicHeight(1, aspect(), zNear, zFar);
       fail("needs left, right, bottom and top, or width or height");
+    }
     const auto [left, right, bottom, top] = edges();
-    return viewproj::orthographic(left, right, bottom, top, near, far);
+    return viewproj::orthographic(left, right, bottom, top, zNear, zFar);
   }
 
   /// fx, fy, cx, cy count pixels of a picture with the viewport's corners. Without cx, cy the viewing axis meets its

@@ -16,6 +16,7 @@ struct ReadOptions {
   bool allowStretch = false;
   bool ignoreDistortion = false;
   bool needsPicture = true;  ///< false: of a picture without a size, near, far and depths alone are right
+  bool boxMayLack = false;   ///< an orthographic camera may lack size, near and far, and gets some
 };
 
 /// A picture, and the tile of it that the camera has.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/rigid.hpp"
+#include "camera/sea_level.hpp"
 #include "numbers/double_double.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -120,46 +121,6 @@ Mat4 rotationOf(const Node& euler) {
   Mat4 m;
   for (std::size_t i = 0; i < 3; ++i) m[i] = {pose.right()[i], pose.up()[i], pose.forward()[i], 0};
   return m;
-}
-
-RigidTransform readRigid(const Node& value) {
-  if (isChain(value.json())) {
-    Rigid product;
-    for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
-    return {matrixOf(product), detail::rounded(product.origin)};
-  }
-  if (!value.json().is_object()) {
-    // Numbers without rows may run by rows or by columns.
-    if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
-      value.fail("expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
-    const Mat4 matrix = value.mat4();
-    requireAffine(matrix, value);
-    return {matrix, {matrix[0][3], matrix[1][3], matrix[2][3]}};
-  }
-  allowMembers(value, wordsIn(rowOf(Kind::rigid).members));
-  const auto rotation = value.find("rotation"), vector = value.find("rotationVector"), euler = value.find("euler");
-  const int turns = int(rotation.has_value()) + int(vector.has_value()) + int(euler.has_value());
-  if (turns > 1) value.fail("rotation, rotationVector and euler are the same thing; keep one");
-  if (turns == 0) value.fail("needs rotation, rotationVector or euler");
-  const Vec3 translation = value.require("translation").vec3();
-  if (vector) {
-    constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
-    const Vec3 v = vector->vec3();
-    if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
-    return {RotationVector{v}, translation};
-  }
-  Mat4 matrix;
-  if (euler) {
-    matrix = rotationOf(*euler);
-  } else {
-    if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
-    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
-    const std::vector<double> r = rotation->numbers(9);
-    for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
-  }
-  for (std::size_t i = 0; i < 3; ++i) matrix[i][3] = translation[i];
-  matrix[3] = {0, 0, 0, 1};
-  return {matrix, translation};
 }
 
 MatrixNumbers readMatrix(const Node& value) {
@@ -302,6 +263,46 @@ FieldValue readValue(const Node& value, const Field& field) {
   return readLensNumbers(value);
 }
 
+RigidTransform readRigid(const Node& value) {
+  if (isChain(value.json())) {
+    Rigid product;
+    for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
+    return {matrixOf(product), detail::rounded(product.origin)};
+  }
+  if (!value.json().is_object()) {
+    // Numbers without rows may run by rows or by columns.
+    if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
+      value.fail("expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
+    const Mat4 matrix = value.mat4();
+    requireAffine(matrix, value);
+    return {matrix, {matrix[0][3], matrix[1][3], matrix[2][3]}};
+  }
+  allowMembers(value, wordsIn(rowOf(Kind::rigid).members));
+  const auto rotation = value.find("rotation"), vector = value.find("rotationVector"), euler = value.find("euler");
+  const int turns = int(rotation.has_value()) + int(vector.has_value()) + int(euler.has_value());
+  if (turns > 1) value.fail("rotation, rotationVector and euler are the same thing; keep one");
+  if (turns == 0) value.fail("needs rotation, rotationVector or euler");
+  const Vec3 translation = value.require("translation").vec3();
+  if (vector) {
+    constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
+    const Vec3 v = vector->vec3();
+    if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
+    return {RotationVector{v}, translation};
+  }
+  Mat4 matrix;
+  if (euler) {
+    matrix = rotationOf(*euler);
+  } else {
+    if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
+    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
+    const std::vector<double> r = rotation->numbers(9);
+    for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
+  }
+  for (std::size_t i = 0; i < 3; ++i) matrix[i][3] = translation[i];
+  matrix[3] = {0, 0, 0, 1};
+  return {matrix, translation};
+}
+
 Angle readAngle(const Node& value, double least, double most, const char* range) {
   const auto angle = parseAngle(value.json());
   if (!angle) value.fail("expected a number of degrees, \"60deg\" or \"1.0472rad\"");
@@ -317,7 +318,11 @@ Position readPosition(const Node& value) {
   allowMembers(value, wordsIn(rowOf(Kind::place).members));
   const Angle lat = readAngle(value.require("lat"), -90, 90, "from -90 to 90 degrees");
   const Angle lon = readAngle(value.require("lon"), -360, 360, "from -360 to 360 degrees");
-  const Geodetic place{degreesOf(lat), degreesOf(lon), value.require("height").number()};
+  const auto altitude = value.find("altitude");
+  if (altitude && value.find("height")) altitude->fail("is the height above sea level; keep one of height and altitude");
+  if (altitude && !hasGeoid()) altitude->fail(kNeedsGeoid);
+  Geodetic place{degreesOf(lat), degreesOf(lon), (altitude ? *altitude : value.require("height")).number()};
+  if (altitude) place.height += seaLevelAt(place.lat, place.lon);
   const Vec3 point = geodeticToEcef(place);
   return {point, place, placeError(point), lat.isRadians || lon.isRadians};
 }

@@ -108,6 +108,8 @@ FieldValues readValues(const Document& document, std::string_view under = "");
 
 /// Reads a value of this field's kind.
 FieldValue readValue(const Node& value, const Field& field);
+/// 4 rows of 4, a rotation and a translation, or a list of these.
+RigidTransform readRigid(const Node& value);
 /// A number of degrees, "60deg" or "1.0472rad".
 Angle readAngle(const Node& value, double least = -HUGE_VAL, double most = HUGE_VAL, const char* range = "in degrees");
 /// x, y, z, or {"lat", "lon", "height"}.

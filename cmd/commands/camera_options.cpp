@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
+#include "camera/sea_level.hpp"
 #include "camera/write_camera.hpp"
 #include "formats/open.hpp"
 #include "output/output_file.hpp"
@@ -60,6 +61,7 @@ void CameraOptions::add(CLI::App& app) {
   }
   app.add_flag_callback(
       "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "Orthographic projection");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or egm96-5.pgm");
   app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
   app.option_defaults()->group(kConventionGroup);
@@ -173,10 +175,11 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   return {openCameras(source.file, opening, std::move(all)), source.pick};
 }
 
-CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
+CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture,
+                                  bool boxMayLack) const {
   CameraFile file = [&] {
     try {
-      return readCamera(cameras.document(which), reading(needsPicture));
+      return readCamera(cameras.document(which), reading(needsPicture, boxMayLack));
     } catch (const InputError& e) {
       if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
       throw;

@@ -44,10 +44,11 @@ class CameraOptions {
   };
   std::vector<Picked> readFiles() const;
   /// How they are read.
-  ReadOptions reading(bool needsPicture = true) const {
-    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_};
+  ReadOptions reading(bool needsPicture = true, bool boxMayLack = false) const {
+    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack};
   }
-  CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true) const;
+  CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true,
+                     bool boxMayLack = false) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
   int writeEach(bool needsPicture,

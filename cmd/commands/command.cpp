@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
     {"info", "what is in a camera file, or what a pasted matrix is", declareInfo},
     {"footprint", "what each picture shows of the ground: outline, area, pixel size", declareFootprint},
+    {"triangulate", "where the rays of pixels of several cameras meet", declareTriangulate},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
     {"depth", "what a depth buffer resolves at each distance", declareDepth},
     {"measure", "time and error of every precision on your own points", declareMeasure},

@@ -48,6 +48,7 @@ Action declareInfo(CLI::App& app);
 Action declareFootprint(CLI::App& app);
 Action declareExplain(CLI::App& app);
 Action declareDepth(CLI::App& app);
+Action declareTriangulate(CLI::App& app);
 Action declareMeasure(CLI::App& app);
 Action declareDraw(CLI::App& app);
 Action declareFit(CLI::App& app);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/plain_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/world_options.hpp"
@@ -22,6 +23,7 @@ struct ConvertOptions {
   CameraOptions camera;
   WorldOptions world;
   std::optional<std::string_view> form;
+  const NameRow<EulerOrder>* angles = nullptr;
 };
 
 /// A camera that is to be written, in the world of --map and --scale.
@@ -29,6 +31,17 @@ struct Chosen {
   CameraFile file;
   std::string name;
 };
+
+/// The camera with its pose as angles of --angles, where there is a pose.
+CameraFile turned(const ConvertOptions& o, CameraFile file) {
+  if (!o.angles || !file.pose) return file;
+  Document document = withoutScreen(file);
+  const OrderedJson angles = anglesOf(*o.angles, readValues(document), *file.preset, file.pose);
+  orient(*document.root, "euler", Json(angles));
+  (*document.root)["position"] = {file.pose->eye().x, file.pose->eye().y, file.pose->eye().z};
+  if (file.worldIsEcef) (*document.root)["world"] = nameOf(kWorlds, World::ecef);
+  return readCamera(document, file.reading);
+}
 
 std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   const auto files = o.camera.readFiles();
@@ -39,7 +52,7 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
       std::string name = cameras->nameOf(i, file.document);
       // Of several files with a camera each, the file's name tells which it is.
       if (name.empty() && files.size() > 1 && which.size() == 1) name = pathOf(file.name).stem().string();
-      all.push_back({o.world.mapped(file), std::move(name)});
+      all.push_back({turned(o, o.world.mapped(file)), std::move(name)});
     }
   return all;
 }
@@ -77,7 +90,7 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   return writer.write(cameras, endingOf(output));
 }
 
-/// {"camera", "position", "pixel"} a line, of the cameras that are picked.
+/// {"camera", "point", "position", "pixel"} a line, of the cameras that are picked.
 void writeObservations(const ConvertOptions& o, const CLI::App& app) {
   for (const char* option : {"--map", "--scale", "--parts", "--world-from-camera", "--camera-from-world"})
     if (isGiven(app, option))
@@ -96,7 +109,8 @@ void writeObservations(const ConvertOptions& o, const CLI::App& app) {
     if (name.empty()) return;
     JsonObject out;
     const auto& [x, y, z] = seen.position;
-    out.addText("camera", name).addText("position", jsonListOf(std::array{x, y, z}));
+    out.addText("camera", name).addText("point", std::to_string(seen.point));
+    out.addText("position", jsonListOf(std::array{x, y, z}));
     lines += out.addText("pixel", jsonListOf(std::array{seen.pixel.x, seen.pixel.y})).text() + "\n";
     if (lines.size() > kBlock) writeOutput(std::exchange(lines, ""));
   });
@@ -115,6 +129,9 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
     if (o.form != kCamera && isGiven(app, option))
       throw UsageError(std::string(option) + " goes with --to camera; " + std::string(*o.form) +
                        " has a convention of its own. --read-as says how a file is read");
+  const bool isTable = o.form == "csv" && o.angles && (o.angles->first == "opk" || o.angles->first == "rpy");
+  if (o.angles && o.form != kCamera && !isTable)
+    throw UsageError("--angles goes with --to camera, and opk and rpy with --to csv");
   const std::string name = outputFile(app);
   if (o.form == kObservations) {
     NamedOutput output(name);
@@ -155,6 +172,7 @@ Action declareConvert(CLI::App& app) {
   for (const Writer& writer : writers()) forms.push_back({writer.name, writer.name, writer.endings});
   forms.push_back({kObservations, kObservations});
   addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms), "What to write");
+  addAngles(app, o->angles, "Write the pose as turns");
   o->world.add(app);
   o->camera.addFiles(app);
   o->camera.add(app);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/read_camera.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "output/results.hpp"
@@ -440,8 +441,13 @@ int runExplain(const ExplainOptions& o) {
   o.camera.noteHandedness(file);
   OrderedJson report;
   if (o.point) {
-    report =
-        explainPoint(camera, convention, o.point->point(), o.model ? std::optional(readModel(*o.model)) : std::nullopt);
+    const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
+    const Vec4 point = o.point->point();
+    report = explainPoint(camera, convention, point, model);
+    if (file.worldIsEcef && earthHides(camera.pose().eye(), model ? toWorld(*model, point) : point)) {
+      report["result"]["visible"] = false;
+      report["result"]["outside"].push_back("earth");
+    }
   } else {
     const std::vector<double>& n = *o.pixel;
     report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);

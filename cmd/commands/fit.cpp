@@ -11,7 +11,7 @@
 namespace viewproj::cmd {
 namespace {
 
-enum class Means { place, lens };
+enum class Means { place, lens, size };
 
 void addScene(Fitting& fitting, const std::vector<SceneObject>& scene) {
   for (const SceneObject& object : scene)
@@ -47,12 +47,15 @@ double readMargin(const std::string& option, const std::string& text) {
 int runFit(const FitOptions& o) {
   StreamSetup setup = o.stream.setup(kSphereColumns);
   const bool reads = o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
+  const auto [cameras, pick] = o.camera.readAll();
+  const CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), true, true);
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   requireStraightEdges(file, "fit");
   (void)makeCamera(file);  // names the part that it lacks
   const bool orthographic = file.projection->isOrthographic();
-  if (orthographic && o.by) throw UsageError("--by is for a perspective; an orthographic window is scaled and centred");
+  if (o.by == (orthographic ? Means::lens : Means::size))
+    throw UsageError(orthographic ? "--by fov is of a perspective; --by size changes an orthographic box alone"
+                                  : "--by size is of an orthographic camera; --by fov opens a lens");
   Fitting fitting(file, o.margin);
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
@@ -65,7 +68,7 @@ int runFit(const FitOptions& o) {
     for (const CullShape& shape : shapes) std::visit([&](const auto& one) { fitting.add(one); }, shape);
   };
   const int status = reads ? readEachPoint(setup, reading, make, add) : 0;
-  const Document fitted = orthographic || o.by == Means::lens ? fitting.byWindow() : fitting.byPlace();
+  const Document fitted = o.by == Means::lens || o.by == Means::size ? fitting.byWindow() : fitting.byPlace();
   writeOutput(o.camera.written(readCamera(fitted, file.reading)));
   return status;
 }
@@ -78,8 +81,9 @@ Action declareFit(CLI::App& app) {
       app,
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
-      "view "
-      "changes. An orthographic window is scaled and centred. Writes a camera file.",
+      "view changes. Of an orthographic camera width, height, near and far are made to fit, but for those that options "
+      "give; "
+      "with --by size it stays. Writes a camera file.",
       "Examples:\n"
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"
@@ -87,7 +91,8 @@ Action declareFit(CLI::App& app) {
       "    --target 0,0,0 --fov-y 60 --viewport 640x480 --margin 10%");
   o->stream.addPoints(app);
   addScene(app, o->scene, "Shapes to fit");
-  static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
+  static constexpr std::pair<std::string_view, Means> kMeans[] = {
+      {"place", Means::place}, {"fov", Means::lens}, {"size", Means::size}};
   addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
   addValue(app, "--margin", "SHARE", o->margin, readMargin,
            "Share of the picture to leave free on each side, as in 0.05 or 5% (default: 0.05)");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "camera/change_camera.hpp"
 #include "camera/plain_vectors.hpp"
@@ -87,6 +88,7 @@ void Fitting::requireSomething() const {
 
 Document Fitting::byPlace() const {
   requireSomething();
+  if (file_.projection->isOrthographic()) return box(true);
   const Pose pose = camera_.pose();
   const double near = unit_ * file_.projection->zNear();
   const Vec3 right = pose.right(), up = pose.up(), forward = pose.forward();
@@ -136,12 +138,16 @@ Document Fitting::byPlace() const {
 Document Fitting::byWindow() const {
   requireSomething();
   const Projection& p = *file_.projection;
-  if (!p.isOrthographic() && !(nearest_ > 0))
+  if (p.isOrthographic()) return box(false);
+  if (!(nearest_ > 0))
     throw InputError("something of it lies on or behind the plane through the eye; no lens shows that");
-  if (nearest_ < p.zNear() || farthest_ > p.zFar())
-    throw InputError(file_.name + ": it lies from " + formatDigits(nearest_, 6) + " to " + formatDigits(farthest_, 6) +
-                     " along the view, which near and far cut; --near and --far give others");
-  return p.isOrthographic() ? orthographicAround() : openedPerspective();
+  if (nearest_ < p.zNear() || farthest_ > p.zFar()) failCut();
+  return openedPerspective();
+}
+
+void Fitting::failCut() const {
+  throw InputError(file_.name + ": it lies from " + formatDigits(nearest_, 6) + " to " + formatDigits(farthest_, 6) +
+                   " along the view, which near and far cut; --near and --far give others");
 }
 
 double Fitting::rounding(double share) const {
@@ -165,15 +171,44 @@ Document Fitting::openedPerspective() const {
   return opened(file_, k);
 }
 
-Document Fitting::orthographicAround() const {
+Document Fitting::box(bool movesEye) const {
+  const Projection& p = *file_.projection;
+  const auto isTyped = [&](std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      const auto& labels = file_.document.labels;
+      return labels.contains("projection") || labels.contains("projection." + name);
+    });
+  };
+  const bool keepsNear = isTyped({"near"}), keepsFar = isTyped({"far"});
+  if ((keepsNear && nearest_ < p.zNear()) || (keepsFar && farthest_ > p.zFar())) failCut();
   const auto [left, right, bottom, top] = windowWithin(margin_);
-  const double share =
-      std::max((seen_.right - seen_.left) / (right - left), (seen_.top - seen_.bottom) / (top - bottom));
+  const Window full = windowWithin(0);
+  double share = std::max((seen_.right - seen_.left) / (right - left), (seen_.top - seen_.bottom) / (top - bottom));
+  const bool keepsSize = isTyped({"left", "right", "bottom", "top", "width", "height"});
+  if (keepsSize && share > 1)
+    throw InputError(file_.name + ": all of it needs a window of " + formatDigits(share * (full.right - full.left), 6) +
+                     " by " + formatDigits(share * (full.top - full.bottom), 6));
+  if (keepsSize) share = 1;
   if (!(share > 0)) throw InputError("all of it is one point of the picture: it fits at any scale");
-  const auto [fullLeft, fullRight, fullBottom, fullTop] = windowWithin(0);
-  const double x = (seen_.left + seen_.right) / 2, y = (seen_.bottom + seen_.top) / 2, spare = rounding(share);
-  const double toSide = (fullRight - fullLeft) * share / 2 + spare, toTop = (fullTop - fullBottom) * share / 2 + spare;
-  return withWindow(file_, x - toSide, x + toSide, y - toTop, y + toTop);
+  const Vec3 eye = camera_.pose().eye();
+  double x = (seen_.left + seen_.right) / 2, y = (seen_.bottom + seen_.top) / 2;
+  const double spare = keepsSize ? 0 : rounding(share) + (movesEye ? 0x1p-51 * size(eye) : 0);
+  const double toSide = (full.right - full.left) * share / 2 + spare, toTop = (full.top - full.bottom) * share / 2 + spare;
+  const double deep = 0x1p-48 * (std::fabs(nearest_) + std::fabs(farthest_) + size(eye));
+  const double least = farthest_ > nearest_ ? deep : deep + toTop;  // of a flat thing
+  CameraFile there = file_;
+  if (movesEye) {
+    x -= keepsSize ? (full.left + full.right) / 2 : 0;
+    y -= keepsSize ? (full.bottom + full.top) / 2 : 0;
+    there = readCamera(movedTo(file_, sum(sum(eye, x, camera_.pose().right()), y, camera_.pose().up())), file_.reading);
+    x = y = 0;
+  }
+  Document fitted = keepsSize ? withWindow(there, full.left, full.right, full.bottom, full.top)
+                              : withWindow(there, x - toSide, x + toSide, y - toTop, y + toTop);
+  Json& projection = (*fitted.root)["projection"];
+  if (!keepsNear) projection["near"] = nearest_ - least;
+  if (!keepsFar) projection["far"] = farthest_ + least;
+  return fitted;
 }
 
 }  // namespace viewproj::cmd

@@ -20,7 +20,8 @@ class Fitting {
   void add(const Triangle& triangle);
 
   /// The camera's document with its eye as far along the view as all things allow, near and the margin too, and in the
-  /// middle of the room that is left across it. Throws InputError where something lies beyond far.
+  /// middle of the room that is left across it. Throws InputError where something lies beyond far. The eye of an
+  /// orthographic camera moves across the view alone, and its box is made to fit: but what options have typed.
   Document byPlace() const;
   /// The same with the eye as it is, and the window as narrow as all things allow: of a perspective about the viewing
   /// axis, of an orthographic camera around the things. Throws InputError for what is not between near and far.
@@ -34,7 +35,8 @@ class Fitting {
 
   void requireSomething() const;
   Document openedPerspective() const;
-  Document orthographicAround() const;
+  Document box(bool movesEye) const;
+  [[noreturn]] void failCut() const;
 
   /// Edges, in the window's units from the viewing axis.
   struct Window {

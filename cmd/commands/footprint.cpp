@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/geojson.hpp"
@@ -25,7 +26,7 @@ enum class FootprintForm : std::uint8_t { table, json, csv, geojson };
 
 struct FootprintOptions {
   CameraOptions camera;
-  std::optional<double> height, most, error;
+  std::optional<double> height, altitude, most, error;
   std::optional<PlaneEquation> plane;
   FootprintForm form = FootprintForm::table;
   std::optional<std::size_t> digits;
@@ -49,7 +50,9 @@ struct Footprint {
   OrderedJson placeOf(const Vec3& point) const {
     if (!isOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
     const Geodetic place = ecefToGeodetic(point);
-    return {{"lat", place.lat}, {"lon", place.lon}, {"height", *height}};
+    OrderedJson heights{{"lat", place.lat}, {"lon", place.lon}, {"height", *height}};
+    if (hasGeoid()) heights["altitude"] = *height - seaLevelAt(place.lat, place.lon);
+    return heights;
   }
   OrderedJson surface() const {
     if (height) return {{"height", *height}};
@@ -122,7 +125,7 @@ OrderedJson reportOf(const Footprint& f) {
 /// A row a vertex, or one without a place.
 std::string csvRows(const Footprint& f, int digits) {
   const std::string name = f.name.is_string() ? quotedIfNeeded(f.name.get<std::string>()) : "";
-  if (f.outline.rings.empty()) return name + ",,,,,,,\n";
+  if (f.outline.rings.empty()) return name + (hasGeoid() && f.isOnEarth ? ",,,,,,,,\n" : ",,,,,,,\n");
   std::string rows;
   for (std::size_t ring = 0; ring < f.outline.rings.size(); ++ring) {
     const OutlineRing& each = f.outline.rings[ring];
@@ -185,7 +188,7 @@ class FootprintWriter {
     } else {
       if (!isFirst_ && f.isOnEarth != isOnEarth_)
         throw InputError("a table has places on the Earth, or positions, and the first camera decides");
-      const std::string head = f.isOnEarth ? "lat,lon,height" : "x,y,z";
+      const std::string head = !f.isOnEarth ? "x,y,z" : hasGeoid() ? "lat,lon,height,altitude" : "lat,lon,height";
       writeOutput((isFirst_ ? "name,vertex," + head + ",pixel_x,pixel_y,ring\n" : "") + csvRows(f, digits_));
     }
     isFirst_ = false;
@@ -212,7 +215,9 @@ int runFootprint(const FootprintOptions& o) {
       try {
         const CameraFile file = o.camera.readOne(*cameras, i);
         if (!file.isTyped) place = file.name + ": ";
-        writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
+        FootprintOptions here = o;
+        if (o.altitude) here.height = heightOfAltitude(file, *o.altitude);
+        writer.write(footprintOf(here, file, cameras->nameOf(i, file.document)));
       } catch (const InputError& e) {
         const std::string message = e.what();
         complain(message.starts_with(place) ? message : place + message);
@@ -243,6 +248,10 @@ Action declareFootprint(CLI::App& app) {
            "The ground: the Earth's surface of this height, or z = H");
   addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0")
       ->excludes("--height");
+  addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
+           "The same above sea level, as --geoid has it at the camera")
+      ->excludes("--height")
+      ->excludes("--plane");
   addValue(app, "--max-distance", "D", o->most, numberThat(aboveZero, "a distance above 0"),
            "What is farther from the eye is cut (default: nothing)");
   addValue(app, "--error", "E", o->error, numberThat(aboveZero, "a distance above 0"),

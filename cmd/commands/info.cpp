@@ -12,6 +12,7 @@
 #include "commands/command.hpp"
 #include "commands/matrix_report.hpp"
 #include "commands/outline.hpp"
+#include "commands/world_options.hpp"
 #include "formats/finder.hpp"
 #include "formats/open.hpp"
 #include "numbers/arctangent.hpp"
@@ -34,9 +35,6 @@ OrderedJson ifThere(bool isThere, OrderedJson object) {
     for (OrderedJson& value : object) value = nullptr;
   return object;
 }
-
-/// Places and axes are rounded: what is left of an angle is certain to about 1e-13 degrees.
-double certainDegrees(double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; }
 
 OrderedJson poseOf(const CameraFile& file) {
   const Pose pose = file.pose.value_or(lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right));
@@ -183,18 +181,6 @@ OrderedJson infoReport(const CameraFile& file, const std::string& name, std::spa
     info["pixelSizes"].push_back({{"distance", distance}, {"across", size.x}, {"down", size.y}});
   }
   return info;
-}
-
-/// The pose as angles of this order; null members without a pose.
-OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,
-                     const std::optional<Pose>& pose) {
-  if (!pose) return {{"order", order.first}, {"degrees", nullptr}};
-  if (const std::string fault = faultOfOrder(order, values, pose->world()); !fault.empty())
-    throw UsageError("--angles " + fault);
-  const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
-  Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
-  for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
-  return {{"order", order.first}, {"degrees", asJson(degrees)}};
 }
 
 /// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
@@ -387,14 +373,7 @@ Action declareInfo(CLI::App& app) {
       },
       withNames("Read the matrices of FILE, as these kinds alone", known(rowsOf(kReadingKinds)),
                 "a camera, if it has one"));
-  addOption(
-      app, "--angles", "ORDER",
-      [o](const std::string& option, const std::string& text) {
-        o->angles = rowNamed(kEulerOrders, text);
-        if (!o->angles)
-          throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
-      },
-      "Tell the pose as turns about the camera's axes too, as YXZ, or of rpy, unity, unreal or opk");
+  addAngles(app, o->angles, "Tell the pose as turns about the camera's axes too");
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "camera/plain_camera.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
@@ -40,6 +41,7 @@ struct ProjectedPoint {
   bool isPoint;                         ///< no shape without a center, and not null
   double error;                         ///< how far the point may be from the true one
   Vec2 given = {kNaN, kNaN};            ///< the record's own pixel
+  bool isHidden = false;                ///< by the Earth
 };
 
 /// A result of project, and how its values are added.
@@ -78,8 +80,8 @@ constexpr PointResult kPointResults[] = {
     {results::screen, [](P p, V values) { values.add(Vec2{p.screen.x, p.screen.y}); }},
     {results::depth, [](P p, V values) { values.add(p.screen.depth); }},
     {results::viewDistance, [](P p, V values) { values.add(p.screen.viewDistance); }},
-    {results::visible, [](P p, V values) { values.add(p.screen.visible()); }},
-    {results::outside, [](P p, V values) { addSides(values, p.screen); }},
+    {results::visible, [](P p, V values) { values.add(p.screen.visible() && !p.isHidden); }},
+    {results::outside, [](P p, V values) { addSides(values, p.screen, p.isHidden); }},
     {results::ndc, [](P p, V values) { values.add(xyz(pointIn(Space::ndc, p))); }},
     {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
     {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},
@@ -200,7 +202,10 @@ std::size_t countUsable(const Camera& camera, std::span<const Vec3> points, std:
 
 class Projector final : public RecordProcessor {
  public:
-  Projector(const Projecting& how, OutputForm to) : how_(how), numbersOnly_(hasNumbersOnly(to)) {}
+  Projector(const Projecting& how, OutputForm to) : how_(how), numbersOnly_(hasNumbersOnly(to)) {
+    for (const ResultRow* row : {&results::screenBox, &results::visible, &results::outside})
+      hasShapeFields_ = hasShapeFields_ || isIn(fieldsOf(true), *row);
+  }
 
   NumberPlan locate(const RecordView& record) const override {
     NumberPlan plan = how_.hasMiss ? findPair(record, how_.reading) : findPoint(record, how_.reading);
@@ -242,6 +247,9 @@ class Projector final : public RecordProcessor {
       const CullShape shape = toShape(plan, n);
       if (const auto* const sphere = std::get_if<Sphere>(&shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
+      else if (!hasShapeFields_)
+        throw RecordError(
+            0, "has a shape, of which --fields names no result; screenBox, visible and outside are a shape's");
       addOther(shape);
     } else {
       point = toPoint(plan, n);
@@ -277,7 +285,9 @@ class Projector final : public RecordProcessor {
       addFields(screen_[i], i, std::nullopt, fieldsOf(false), values);
   }
 
-  bool isVisible(std::size_t i) const override { return items_[i] == kPoint ? screen_[i].visible() : isOtherVisible_; }
+  bool isVisible(std::size_t i) const override {
+    return items_[i] == kPoint ? screen_[i].visible() && !isHidden(i) : isOtherVisible_;
+  }
 
   void clear() override {
     items_.clear();
@@ -328,6 +338,11 @@ class Projector final : public RecordProcessor {
     if (!how_.worldFromLocal) return local;
     const Vec4 world = toWorld(*how_.worldFromLocal, {local.x, local.y, local.z, 1});
     return {world.x, world.y, world.z};
+  }
+
+  bool isHidden(std::size_t i) const {
+    const RecordCamera& from = *cameras_[i];
+    return from.worldIsEcef && items_[i] == kPoint && earthHides(from.camera.pose().eye(), points_[i]);
   }
 
   const Rows& fieldsOf(bool isShape) const {
@@ -388,13 +403,15 @@ class Projector final : public RecordProcessor {
     const bool isPoint = items_[i] == kPoint || std::isfinite(points_[i].x);
     const ProjectedPoint projected{camera,     camera.camera, how_.options,
                                    points_[i], screen,        box,
-                                   isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
+                                   isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN},
+                                   isHidden(i)};
     for (const PointResult* result : rows)
       if (!(leftOut_[i] >> (result - kPointResults) & 1)) result->add(projected, values);
   }
 
   const Projecting& how_;
   bool numbersOnly_;
+  bool hasShapeFields_ = false;  ///< of boxes and triangles
   bool isOtherVisible_ = false;  ///< the last of them that had results
   std::vector<const RecordCamera*> cameras_;
   std::vector<std::size_t> items_;  ///< kPoint, or the index of what it is else

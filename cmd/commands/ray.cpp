@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
+#include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
 #include "stream/filter.hpp"
@@ -66,14 +69,35 @@ struct Casting {
   std::optional<std::vector<SceneObject>> scene = {};
   bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
+  std::optional<Mat4> localFromWorld = {}, worldFromLocal = {};  ///< of a model, whose coordinates the results have
+
+  Vec3 placed(const Vec3& world) const {
+    if (!localFromWorld) return world;
+    const Vec4 local = toWorld(*localFromWorld, {world.x, world.y, world.z, 1});
+    return {local.x, local.y, local.z};
+  }
+  /// Of unit length, by the columns of m in place of its rows for a normal.
+  static Vec3 turned(const std::optional<Mat4>& m, const Vec3& world, bool byColumns) {
+    if (!m) return world;
+    Vec3 local;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) local[i] += (byColumns ? (*m)[j][i] : (*m)[i][j]) * world[j];
+    return unit(local);
+  }
 
   bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
-  const ResultRow& hits() const { return allHits ? results::hits : placesHits() ? results::placedHit : results::hit; }
+  const ResultRow& hits() const {
+    if (!placesHits()) return allHits ? results::hits : results::hit;
+    if (hasGeoid()) return allHits ? results::seaHits : results::seaHit;
+    return allHits ? results::hits : results::placedHit;
+  }
 };
 
 bool isOfTheEarth(const SceneObject& object) {
   return std::holds_alternative<Ellipsoid>(object.shape) || std::holds_alternative<HeightSurface>(object.shape);
 }
+
+const ResultRow& placeRow() { return hasGeoid() ? results::seaPlace : results::place; }
 
 /// A pixel, and what is behind it.
 struct Cast {
@@ -123,7 +147,7 @@ class Caster final : public RecordProcessor {
     if (how_.fields) return *how_.fields;
     ResultRows rows = {&results::origin, &results::direction};
     if (hasDistance) rows.push_back(&results::point);
-    if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&results::place);
+    if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&placeRow());
     if (how_.scene) rows.push_back(&how_.hits());
     return rows;
   }
@@ -131,12 +155,12 @@ class Caster final : public RecordProcessor {
   void addResult(const ResultRow& row, const Cast& cast, ResultValues& values) const {
     const bool isPoint = cast.point.status == DepthStatus::point;
     if (&row == &results::origin) {
-      values.add(cast.ray.origin);
+      values.add(how_.placed(cast.ray.origin));
     } else if (&row == &results::direction) {
-      values.add(cast.ray.direction);
+      values.add(how_.turned(how_.localFromWorld, cast.ray.direction, false));
     } else if (&row == &results::point) {
-      values.add(cast.point.position);
-    } else if (&row == &results::place) {
+      values.add(how_.placed(cast.point.position));
+    } else if (&row == &placeRow()) {
       values.addCount(isPoint ? 1 : 0);
       if (isPoint) addPlace(cast.point.position, values);
     } else if (&row == &results::pointDistance) {
@@ -162,13 +186,14 @@ class Caster final : public RecordProcessor {
   static void addPlace(const Vec3& point, ResultValues& values) {
     const Geodetic place = ecefToGeodetic(point);
     for (const double number : {place.lat, place.lon, place.height}) values.add(number);
+    if (hasGeoid()) values.add(place.height - seaLevelAt(place.lat, place.lon));
   }
 
   void addHit(const SceneHit& hit, ResultValues& values) const {
     values.addWord(hit.object->id);
     values.add(hit.hit.distance);
-    values.add(hit.hit.point);
-    values.add(hit.hit.normal);
+    values.add(how_.placed(hit.hit.point));
+    values.add(how_.turned(how_.worldFromLocal, hit.hit.normal, true));
     if (!how_.allHits && !how_.placesHits()) return;
     const bool isPlace = how_.worldIsEcef || isOfTheEarth(*hit.object);
     addPlace(isPlace ? hit.hit.point : Vec3{NAN, NAN, NAN}, values);
@@ -207,9 +232,9 @@ struct Options {
   StreamOptions stream;
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
-  std::optional<std::string> scene;
+  std::optional<std::string> scene, model;
   std::vector<PlaneEquation> planes;
-  std::optional<double> height;
+  std::optional<double> height, altitude;
   bool allHits = false;
 };
 
@@ -228,6 +253,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
+    if (row == &results::place) row = &placeRow();
     if (row != &results::hit) continue;
     if (!how.scene) throw UsageError("--fields hit needs --scene, --plane or --height");
     row = &how.hits();
@@ -235,7 +261,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
 }
 
 int run(const Options& o) {
-  const bool hasScene = o.scene || !o.planes.empty() || o.height;
+  const bool hasScene = o.scene || !o.planes.empty() || o.height || o.altitude;
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene, --plane or --height");
   StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
@@ -247,12 +273,19 @@ int run(const Options& o) {
   });
   const bool worldIsEcef = cameras.worldIsEcef();
   Casting how{.columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
+  if (o.model) {
+    how.worldFromLocal = readModel(*o.model);
+    how.localFromWorld = inverseOfAffine(*how.worldFromLocal);
+    if (!how.localFromWorld) throw UsageError("--model: has no inverse, so that no point of the world is in it");
+  }
   if (hasScene) {
     if (!o.planes.empty() && worldIsEcef)
       throw UsageError(
           "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
+    if (o.altitude && !cameras.first()) throw UsageError("--altitude needs one camera, or cameras that -c holds");
+    if (o.altitude) how.scene->push_back({"0", HeightSurface{heightOfAltitude(*cameras.first(), *o.altitude)}});
     if (o.height && worldIsEcef) how.scene->push_back({"0", HeightSurface{*o.height}});
     if (o.height && !worldIsEcef) how.scene->push_back({"0", PlaneEquation{{0, 0, 1}, -*o.height}});
     for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
@@ -289,6 +322,10 @@ Action declareRay(CLI::App& app) {
                "The surface of this height to hit, or z = H");
   exclude(height, scene);
   exclude(height, plane);
+  CLI::Option* const altitude = addValue(app, "--altitude", "H", o->altitude,
+                                         numberThat([](double number) { return std::isfinite(number); }, "metres"),
+                                         "The same above sea level, as --geoid has it at the camera");
+  for (CLI::Option* const other : {scene, plane, height}) exclude(altitude, other);
   addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());
@@ -296,6 +333,7 @@ Action declareRay(CLI::App& app) {
   addValue(
       app, "--fields", "NAMES", o->fields, readFields,
       withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+  addModel(app, o->model, "Write rays and points in the coordinates of this model");
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };

@@ -4,10 +4,15 @@
 
 namespace viewproj::cmd {
 
+CLI::Option* RecordCameraOptions::addNamed(CLI::App& app) {
+  each_ = true;
+  return addValue(app, "--camera-by", "FIELD", by_, readText, "The field that names a record's camera of -c");
+}
+
 void RecordCameraOptions::add(CLI::App& app, bool canHide) {
   const OptionGroup group(app, kStreamGroup);
-  CLI::Option* const by =
-      addValue(app, "--camera-by", "FIELD", by_, readText, "The field that names a record's camera of -c");
+  CLI::Option* const by = addNamed(app);
+  each_ = false;
   CLI::Option* const own = addFlag(app, "--camera-in-record", own_, "Lay each record's fields over the camera");
   CLI::Option* const each = addFlag(app, "--each-camera", each_, "Each record through every camera of -c");
   exclude(by, own);

@@ -15,6 +15,8 @@ class RecordCameraOptions {
  public:
   /// canHide: --visible too.
   void add(CLI::App& app, bool canHide);
+  /// --camera-by alone, which returns it; without it each record is seen through all cameras.
+  CLI::Option* addNamed(CLI::App& app);
   /// The cameras, and what setup has to know of them. require: throws if a camera does not do. Throws UsageError.
   RecordCameras read(const CameraOptions& options, StreamSetup& setup,
                      std::function<void(const CameraFile&)> require) const;

@@ -1,7 +1,10 @@
 #include "commands/world_options.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "camera/plain_camera.hpp"
+#include "camera/read_pose.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 
@@ -63,6 +66,28 @@ void WorldOptions::noteWorld(const CameraFile& file, const ConventionPreset& pre
   note(file.name + ": its world stays " + words(file.convention.world, up) + ", and that of " + std::string(form) +
        " is " + words(preset.convention.world, preset.up) + "; --map " + mapBetween(up, preset.up, mirrors) +
        " changes it");
+}
+
+void addAngles(CLI::App& app, const NameRow<EulerOrder>*& order, const std::string& help) {
+  addOption(
+      app, "--angles", "ORDER",
+      [&order](const std::string& option, const std::string& text) {
+        order = rowNamed(kEulerOrders, text);
+        if (!order)
+          throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
+      },
+      help + ", as YXZ, or of rpy, unity, unreal or opk");
+}
+
+OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,
+                     const std::optional<Pose>& pose) {
+  if (!pose) return {{"order", order.first}, {"degrees", nullptr}};
+  if (const std::string fault = faultOfOrder(order, values, pose->world()); !fault.empty())
+    throw UsageError("--angles " + fault);
+  const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
+  Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
+  for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
+  return {{"order", order.first}, {"degrees", asJson(degrees)}};
 }
 
 }  // namespace viewproj::cmd

@@ -1,6 +1,7 @@
 // The options of the world that a camera is written for.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -21,5 +22,15 @@ class WorldOptions {
   std::optional<AxisMap> map_;
   std::optional<double> scale_;
 };
+
+/// Places and axes are rounded: what is left of an angle is certain to about 1e-13 degrees.
+inline double certainDegrees(double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; }
+
+/// --angles ORDER.
+void addAngles(CLI::App& app, const NameRow<EulerOrder>*& order, const std::string& help);
+/// The pose as angles of this order, as the field euler has them; null members without a pose. Throws UsageError where
+/// the order is of other axes or another world.
+OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,
+                     const std::optional<Pose>& pose);
 
 }  // namespace viewproj::cmd

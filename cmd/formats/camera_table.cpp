@@ -24,7 +24,7 @@ constexpr std::string_view kNameColumns = "name camera image file FileName label
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
-    "name lat lon height heading pitch roll x y z qx qy qz qw world fx fy cx cy near far viewport.width "
+    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far viewport.width "
     "viewport.height "
     "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
 
@@ -61,6 +61,25 @@ std::string nameOf(const Json& row) {
   return "";
 }
 
+constexpr std::string_view kOpk[] = {"omega", "phi", "kappa"}, kRpy[] = {"roll", "pitch", "yaw"};
+
+bool isOpk(const Json& row) {
+  return std::all_of(std::begin(kOpk), std::end(kOpk), [&](std::string_view name) { return row.contains(name); });
+}
+
+/// The columns of a row's turns, where they are no heading: their order, and their names as it lists them. The yaw of a
+/// robot turns the other way than that of a compass.
+std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row) {
+  if (isOpk(row.json())) return {{"opk", kOpk}};
+  const auto yaw = row.find("yaw"), order = row.find("order");
+  if (!yaw || isOnEarth(row.json()) || row.find("heading")) return std::nullopt;
+  const std::string name = order ? order->text() : "";
+  if (name == "heading") return std::nullopt;
+  if (name != "rpy")
+    (order ? *order : *yaw).fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
+  return {{name, kRpy}};
+}
+
 /// A position, and a column of a turn or a lens beside it. A time and a pose alone are a trajectory.
 bool recognises(const Node& root) {
   const Json& rows = root.json();
@@ -72,7 +91,7 @@ bool recognises(const Node& root) {
     const std::string path = pathOf(column, isOnEarth(row)), first = path.substr(0, path.find('.'));
     hasPosition = hasPosition || first == "position";
     hasLens = hasLens || first == "projection";
-    hasTurn = hasTurn || isWord(first, "rotation heading target direction");
+    hasTurn = hasTurn || isWord(first, "rotation heading target direction") || (column == "omega" && isOpk(row));
   }
   return hasPosition && (hasLens || (hasTurn && !holdsPoses(root)));
 }
@@ -83,11 +102,24 @@ using Paths = std::unordered_map<std::string, std::string>;
 Json documentOf(const Node& row, const Paths& paths) {
   const bool onEarth = isOnEarth(row.json());
   Json fields = Json::object();
+  const auto turns = turnsOf(row);
+  std::vector<Json> degrees(3, 0);
+  const auto putTurn = [&](std::string_view column, const Node& cell) {
+    if (column == "order") {
+      cell.mark();
+      return true;
+    }
+    if (!turns) return false;
+    const auto at = std::find(turns->second.begin(), turns->second.end(), column);
+    if (at == turns->second.end()) return false;
+    degrees[static_cast<std::size_t>(at - turns->second.begin())] = numberOf(cell);
+    return true;
+  };
   std::vector<std::pair<std::string, double>> coefficients;
   std::string model;
   for (const auto& [column, cell] : row.json().items()) {
     const Node node = *row.find(column);
-    if (isEmpty(cell)) continue;
+    if (isEmpty(cell) || putTurn(column, node)) continue;
     if ((column == "width" || column == "height") && !onEarth)
       node.fail("may be the picture's or the window's: call it viewport." + column + " or projection." + column);
     if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
@@ -107,6 +139,7 @@ Json documentOf(const Node& row, const Paths& paths) {
   }
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};
   Document camera{row.document().name + (row.path().empty() ? "" : ": " + row.path()),
                   std::make_shared<Json>(Json::object())};
   layOver(camera, fields);
@@ -147,10 +180,16 @@ void addPose(const WrittenCamera& camera, Cells& cells) {
   }
   const auto [columns, place] = worldFromCamera(camera.pose, CameraAxes::RUB);
   const std::array<double, 4> q = quaternionOf(columns);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (i < 3) cells[std::string(1, "xyz"[i])] = formatNumber(place[i]);
-    cells[std::string("q") + "xyzw"[i]] = formatNumber(q[i]);
+  const auto* const euler = values.find<EulerTurns>("euler");
+  const bool isRpy = euler && euler->order->first == "rpy";
+  const Vec3 turns = euler ? eulerDegreesOf(camera.pose, euler->order->second, CameraAxes::RUB) : Vec3{};
+  const bool hasTurns = isRpy || (euler && euler->order->first == "opk");
+  for (std::size_t i = 0; i < 3; ++i) {
+    cells[std::string(1, "xyz"[i])] = formatNumber(place[i]);
+    if (hasTurns) cells[std::string((isRpy ? kRpy : kOpk)[i])] = formatNumber(turns[i]);
   }
+  if (isRpy) cells["order"] = "rpy";
+  for (std::size_t i = 0; i < 4 && !hasTurns; ++i) cells[std::string("q") + "xyzw"[i]] = formatNumber(q[i]);
   if (camera.file.worldIsEcef || camera.file.worldIsEnu)
     cells["world"] = viewproj::cmd::nameOf(kWorlds, camera.file.worldIsEcef ? World::ecef : World::enu);
 }

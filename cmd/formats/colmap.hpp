@@ -1,6 +1,7 @@
 // COLMAP's reconstructions as text and binary.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,8 +20,9 @@ Json readColmap(const std::string& model);
 Import openColmap(const Node& root);
 
 /// Calls take with each pixel of an image that has a point in space: the number of the image in the list of
-/// readColmap(), the point and the pixel. Throws InputError.
+/// readColmap(), the point's number, the point and the pixel. Throws InputError.
 void eachColmapPixel(const std::string& source,
-                     const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take);
+                     const std::function<void(std::size_t image, std::int64_t number, const Vec3& point,
+                                              const Vec2& pixel)>& take);
 
 }  // namespace viewproj::cmd

@@ -340,7 +340,8 @@ Json readModel(const Model& model, const TakePixel& take) {
 Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }
 
 void eachColmapPixel(const std::string& source,
-                     const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take) {
+                     const std::function<void(std::size_t image, std::int64_t number, const Vec3& point,
+                                              const Vec2& pixel)>& take) {
   const Model model = filesOf(source);
   if (model.images.empty()) throw InputError(visible(source) + ": has no images");
   const Points points = model.isBinary ? readBinaryPoints(model.points) : readPoints(model.points);
@@ -349,7 +350,7 @@ void eachColmapPixel(const std::string& source,
     const auto point = points.find(number);
     if (point == points.end())
       throw InputError(visible(model.points) + ": has no point " + std::to_string(number) + ", which an image has");
-    take(image, point->second, pixel);
+    take(image, number, point->second, pixel);
   });
 }
 

@@ -33,8 +33,8 @@ std::vector<Vec3> boardOf(const Node& width, const Node& height, double square) 
 
 std::string eachObservation(const std::string& source, const std::function<void(const Observation&)>& take) {
   if (const auto model = colmapModel(source)) {
-    eachColmapPixel(*model, [&](std::size_t image, const Vec3& point, const Vec2& pixel) {
-      take({image, point, pixel});
+    eachColmapPixel(*model, [&](std::size_t image, std::int64_t number, const Vec3& point, const Vec2& pixel) {
+      take({image, number, point, pixel});
     });
     return "";
   }
@@ -68,7 +68,7 @@ std::string eachObservation(const std::string& source, const std::function<void(
     pixels->fail("expected a pixel of each of " + std::to_string(points.size()) + " points in " +
                  std::to_string(count) + " views, got " + std::to_string(numbers.size()) + " numbers");
   for (std::size_t i = 0; i < each * count; ++i)
-    take({i / each, points[points.size() == each ? i % each : i], {numbers[2 * i], numbers[2 * i + 1]}});
+    take({i / each, static_cast<std::int64_t>(i % each), points[points.size() == each ? i % each : i], {numbers[2 * i], numbers[2 * i + 1]}});
   return note;
 }
 

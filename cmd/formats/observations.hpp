@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -11,6 +12,7 @@ namespace viewproj::cmd {
 
 struct Observation {
   std::size_t camera;  ///< the number in the file's list of cameras
+  std::int64_t point;  ///< the file's own number; of OpenCV's boards from 0 in each view
   Vec3 position;
   Vec2 pixel;
 };

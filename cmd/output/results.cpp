@@ -22,18 +22,19 @@ void addColumns(std::vector<std::string>& columns, const ResultRow& row, const s
 
 }  // namespace
 
-Sides::Sides(const ScreenPoint& p) {
+Sides::Sides(const ScreenPoint& p, bool isHidden) {
   if (p.status == PointStatus::behind) names_[count_++] = "behind";
   if (p.status == PointStatus::beyondLens) names_[count_++] = "lens";
   for (const SideName& one : kSides)
     if (p.outside & one.side) names_[count_++] = one.name;
+  if (isHidden) names_[count_++] = "earth";
 }
 
-void addSides(ResultValues& values, const ScreenPoint& point) {
-  if (point.visible())
+void addSides(ResultValues& values, const ScreenPoint& point, bool isHidden) {
+  if (point.visible() && !isHidden)
     values.addCount(0);
   else
-    values.addNames(Sides(point).names());
+    values.addNames(Sides(point, isHidden).names());
 }
 
 std::string_view sideName(unsigned side) {
@@ -55,7 +56,8 @@ const ResultRows& allResults() {
                              {results::kSegment},
                              {results::kRay},
                              {results::kCull},
-                             {results::kCamera}})
+                             {results::kCamera},
+                             {results::kMeeting}})
       rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();

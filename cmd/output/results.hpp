@@ -109,14 +109,15 @@ inline constexpr SideName kSides[] = {{sideLeft, "left"}, {sideRight, "right"}, 
 /// What a point lies beyond, in the interface's order.
 class Sides {
  public:
-  explicit Sides(const ScreenPoint& point);
+  /// isHidden: by the Earth.
+  explicit Sides(const ScreenPoint& point, bool isHidden = false);
   std::span<const std::string_view> names() const { return {names_.data(), count_}; }
 
  private:
-  std::array<std::string_view, 6> names_;
+  std::array<std::string_view, 7> names_;
   std::size_t count_ = 0;
 };
-void addSides(ResultValues& values, const ScreenPoint& point);
+void addSides(ResultValues& values, const ScreenPoint& point, bool isHidden = false);
 /// Empty for 0.
 std::string_view sideName(unsigned side);
 
@@ -171,25 +172,48 @@ inline constexpr ResultRow
     lat = numberResult("lat").onRequest(),
     lon = numberResult("lon").onRequest(),
     height = numberResult("height").onRequest(),
+    altitude = numberResult("altitude").onRequest(),
     // Of a hit: only points of the Earth are places.
     hitLat = numberResult("lat").ifAny(),
     hitLon = numberResult("lon").ifAny(),
-    hitHeight = numberResult("height").ifAny();
+    hitHeight = numberResult("height").ifAny(),
+    hitAltitude = numberResult("altitude").ifAny();
 inline constexpr const ResultRow *kHitParts[] = {&hitId, &distance, &hitPoint, &normal},
-                                 *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &hitLat, &hitLon, &hitHeight};
+                                 *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &hitLat, &hitLon, &hitHeight},
+                                 *kSeaHitParts[] = {&hitId, &distance, &hitPoint, &normal, &hitLat, &hitLon, &hitHeight, &hitAltitude};
 inline constexpr ResultRow
     hit = groupResult("hit", kHitParts).onRequest(),
     placedHit = groupResult("hit", kPlacedHitParts).onRequest(),
     hits = ResultRow{"hits", ResultKind::list, 1, kPlacedHitParts}.onRequest(),
+    seaHit = groupResult("hit", kSeaHitParts).onRequest(),  // with --geoid
+    seaHits = ResultRow{"hits", ResultKind::list, 1, kSeaHitParts}.onRequest(),
     pointDistance = numberResult("viewDistance").onRequest();
-inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
+inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height}, *kSeaPlaceParts[] = {&lat, &lon, &height, &altitude};
 inline constexpr ResultRow
-    place = groupResult("place", kPlaceParts).onRequest();
+    place = groupResult("place", kPlaceParts).onRequest(),
+    seaPlace = groupResult("place", kSeaPlaceParts).onRequest();
 inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &bound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
     camera = {"camera", ResultKind::word};
 inline constexpr const ResultRow* kCamera[] = {&camera};
+
+// Where rays meet.
+inline constexpr ResultRow
+    position = vectorResult("position", 3),
+    reason = {"reason", ResultKind::word},
+    rays = numberResult("rays"),
+    rmsMiss = numberResult("rmsMiss"),
+    largestMiss = numberResult("largestMiss"),
+    worst = numberResult("worst"),
+    wrong = numberResult("wrong"),
+    angle = numberResult("angle"),
+    sigma = vectorResult("sigma", 3),
+    line = numberResult("line");
+inline constexpr const ResultRow* kMissParts[] = {&line, &camera, &miss};
+inline constexpr ResultRow
+    misses = {"misses", ResultKind::list, 1, kMissParts};
+inline constexpr const ResultRow* kMeeting[] = {&reason, &rays, &rmsMiss, &largestMiss, &worst, &wrong, &angle, &sigma};
 
 inline constexpr ResultRow
     cull = ResultRow{"cull", ResultKind::word}.whereNamed(),

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "camera/sea_level.hpp"
 #include "numbers/vectors.hpp"
-#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -96,7 +96,7 @@ Ray View::rayAt(const Vec2& at) const { return screenToRay(camera_, offSheet(at)
 
 bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) const {
   constexpr double kNearer = 1 - 1e-7;  // a point of a surface is not hidden by it
-  if (worldIsEcef_ && earthHides(point)) return true;
+  if (worldIsEcef_ && earthHides(eye_, pointOf(point))) return true;
   const Ray ray = rayAt(at);
   const double away = length(sum(point, -1, ray.origin)) * kNearer;
   return anyShapeAt(at, [&](const SceneObject& shape) {
@@ -104,16 +104,6 @@ bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) c
     const Hits hits = hitsOf(ray, shape);
     return hits.count > 0 && hits.hits[0].distance < away;
   });
-}
-
-/// Whether the way from the eye crosses the ellipsoid; below it, the surface a metre below the lower end.
-bool View::earthHides(const Vec3& point) const {
-  const double lower = std::min(ecefToGeodetic(eye_).height, ecefToGeodetic(point).height);
-  const double down = std::min(0.0, lower - 1), a = kWgs84.equatorial + down, b = kWgs84.polar + down;
-  const auto scaled = [&](const Vec3& p) { return Vec3{p.x / a, p.y / a, p.z / b}; };
-  const Vec3 from = scaled(eye_), way = sum(scaled(point), -1, from);
-  const double nearest = -dot(from, way) / dot(way, way);
-  return nearest > 0 && nearest < 1 && length(sum(from, nearest, way)) < 1;
 }
 
 const SceneObject* View::shapeAt(const Vec2& at) const {

@@ -66,7 +66,6 @@ class View {
     return candidates_.any({at.x, at.y, at.x, at.y}, [&](std::size_t i) { return use(shapes_[i]); });
   }
   Rect boundsOf(const SceneObject& shape) const;
-  bool earthHides(const Vec3& point) const;
 
   Camera camera_, pinhole_;
   std::vector<SceneObject> shapes_;

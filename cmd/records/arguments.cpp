@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/sea_level.hpp"
 #include "records/columns.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -35,7 +36,8 @@ PointArgument readPointArgument(const std::string& option, const std::string& te
   for (const auto& value : values.picks) {
     const auto number = parseNumber(value.name);
     if (!number) throw wrong(option, text, std::string(value.role) + " is not a finite number");
-    point.numbers.emplace_back(value.role, *number);
+    point.numbers.emplace_back(value.isAltitude ? "altitude" : value.role, *number);
+    point.isAltitude |= value.isAltitude;
   }
   return point;
 }
@@ -61,8 +63,9 @@ Vec4 PointArgument::point() const {
     if (point == Vec4{0, 0, 0, 0}) throw UsageError(text + ": 0,0,0,0 is neither a point nor a direction");
     return point;
   }
-  const Geodetic place{a, b, c};
+  Geodetic place{a, b, c};
   if (const std::string fault = faultOf(place); !fault.empty()) throw UsageError(text + ": " + fault);
+  if (isAltitude) place.height += seaLevelAt(place.lat, place.lon);
   const Vec3 p = geodeticToEcef(place);
   return {p.x, p.y, p.z, 1};
 }

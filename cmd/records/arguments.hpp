@@ -13,7 +13,7 @@ namespace viewproj::cmd {
 struct PointArgument {
   std::string text;  ///< as typed, after the option
   std::vector<std::pair<std::string_view, double>> numbers;
-  bool hasRoles = false;
+  bool hasRoles = false, isAltitude = false;  ///< isAltitude: the height is above sea level
 
   bool isPlace() const { return numbers[0].first == "lat"; }
   /// The point as the text of a JSON record.

@@ -22,6 +22,7 @@ struct ChoosableColumns {
 
 inline constexpr const Coordinate *kPointRows[] = {&coordinates::xyz, &coordinates::place},
                                   *kRadiusRow[] = {&coordinates::radius}, *kPixelRow[] = {&coordinates::xy},
+                                  *kTwoPixelsRow[] = {&coordinates::twoUv},
                                   *kPairRows[] = {&coordinates::xyzUv, &coordinates::placeUv};
 /// Without w.
 inline constexpr Coordinate kXyzUvRow{"x y z u v",
@@ -36,6 +37,8 @@ inline constexpr const Coordinate* kPointOrPairRows[] = {&coordinates::xyz, &coo
 inline constexpr ChoosableColumns kPointColumns{kPointRows, {}, "E,N,U or x=E,y=N,z=U"},
     kSphereColumns{kPointRows, kRadiusRow, "E,N,U or x=E,y=N,z=U"},
     kPixelColumns{kPixelRow, coordinates::kDistances, "u,v or x=u,y=v"},
+    kPixelAloneColumns{kPixelRow, {}, "u,v or x=u,y=v"},
+    kTwoPixelsColumns{kTwoPixelsRow, {}, "xl,yl,xr,yr or u1=xl,v1=yl,u2=xr,v2=yr"},
     kPointOrPairColumns{kPointOrPairRows, {}, "E,N,U or x=E,y=N,z=U,u=u,v=v"},
     kPairColumns{kPairRows, {}, "E,N,U,u,v or x=E,y=N,z=U,u=u,v=v"},
     kPointValues{kPointRows, {}, "3,2,5 or lat=47,lon=8,height=1500"};
@@ -44,6 +47,7 @@ inline constexpr ChoosableColumns kPointColumns{kPointRows, {}, "E,N,U or x=E,y=
 struct ColumnChoice {
   struct Pick {
     std::string_view role;     ///< "x"
+    bool isAltitude = false;   ///< a height by the name of one above sea level
     std::string name;          ///< name of the column or field, or the value
     std::size_t number = 0;    ///< number of the column, from 1; 0: use its name
     std::size_t nameless = 0;  ///< number of the column if columns have no names

@@ -73,6 +73,7 @@ inline constexpr CoordinatePart
     kRadius[] = {{"radius"}},
     kUv[] = {{"u"}, {"v"}},
     kPxPy[] = {{"px"}, {"py"}},
+    kTwoUv[] = {{"u1"}, {"v1"}, {"u2"}, {"v2"}},
     kXyzUvw[] = {{"x"}, {"y"}, {"z"}, {"u"}, {"v"}, {"w"}},
     kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}, {"u"}, {"v"}},
     kDepth[] = {{"depth"}},
@@ -108,6 +109,10 @@ inline constexpr Coordinate
     range = {"range", numbers, 1, 1, "its distance from the eye; used only without the others", 0, kRange, true};
 inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy, &uv, &pxPy}, *kDistances[] = {&depth, &viewDistance, &range},
                                   *kPixelsBesidePoints[] = {&screen, &pixel, &uv, &pxPy};
+
+// A point's pixels in two cameras.
+inline constexpr Coordinate
+    twoUv = {"u1 v1 u2 v2", numbers, 4, 4, "a point's pixels in two cameras, for triangulate", 0, kTwoUv};
 
 // Pairs of a point and its pixel, for --columns and lines of numbers.
 inline constexpr Coordinate

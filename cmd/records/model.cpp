@@ -3,7 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/patch.hpp"
 #include "camera/read_camera.hpp"
+#include "camera/rigid.hpp"
 #include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "text/error.hpp"
@@ -56,6 +58,23 @@ Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const V
   return m;
 }
 
+std::optional<Mat4> inverseOfAffine(const Mat4& m) {
+  using detail::DDVec3;
+  const auto [x, y, z] = rigidOf({m[0].data(), 12}).columns;
+  // The rows of the inverse of the 3x3 part, times its determinant.
+  const std::array<DDVec3, 3> rows{cross(y, z), cross(z, x), cross(x, y)};
+  const detail::DoubleDouble size = dot(x, rows[0]);
+  if (!(std::fabs(size.hi) > 0 && std::isfinite(size.hi))) return std::nullopt;
+  const DDVec3 origin{m[0][3], m[1][3], m[2][3]};
+  Mat4 inverse;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DDVec3 row = rows[i] * (detail::DoubleDouble(1) / size);
+    inverse[i] = {row.x.hi, row.y.hi, row.z.hi, -dot(row, origin).hi};
+  }
+  inverse[3] = {0, 0, 0, 1};
+  return inverse;
+}
+
 Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
   const double local[] = {p.x, p.y, p.z, p.w};
   const auto coordinate = [&](std::size_t i) {
@@ -77,6 +96,10 @@ Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
 Mat4 readModel(const std::string& source) {
   constexpr const char* kForms =
       "4 rows of 4 numbers, or {\"translation\": [x, y, z], \"rotation\": [x, y, z, w], \"scale\": [x, y, z]}";
+  if (const auto pose = poseOfText(source)) {
+    const Document typed{"--model " + source, std::make_shared<Json>(*pose)};
+    return matrixOf(rigidOf(readRigid(Node(typed))));
+  }
   if (source.find(',') != std::string::npos && parseNumberList(source))
     throw UsageError("--model " + source + ": expected a file or the JSON itself: " + kForms);
   const Document document = load(source, "--model");

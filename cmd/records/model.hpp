@@ -1,6 +1,7 @@
 // The --model option: the transformation of a model to the world.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "viewproj/matrices.hpp"
@@ -16,6 +17,9 @@ Mat4 readModel(const std::string& source);
 /// the true one. Throws CameraError naming translation, rotation or scale if one is out of a camera's range, or if the
 /// rotation is zero.
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale);
+
+/// The inverse of an affine matrix, in double-double, each entry rounded; nothing of one that has none.
+std::optional<Mat4> inverseOfAffine(const Mat4& m);
 
 /// An affine matrix times a homogeneous point: each coordinate is the double nearest the exact sum of products, and
 /// counts as exact afterwards. The weight stays. NaN if a number is not finite, infinite if the sum is beyond all

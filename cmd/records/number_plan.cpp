@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "camera/sea_level.hpp"
 #include "records/coordinates.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -195,10 +196,12 @@ void readPointObject(const RecordView& record, const NumberField& field, std::st
     slots[i] = *number;
   }
   if (!object.isPlace()) return;
-  seaLevel = object.seaLevelName();
-  const Geodetic place{slots[0], slots[1], slots[2]};
+  const std::string_view name = object.seaLevelName();
+  if (!hasGeoid()) seaLevel = name;
+  Geodetic place{slots[0], slots[1], slots[2]};
   if (const std::string fault = faultOf(place); !fault.empty())
     throw errorAt(record, field, object.value(isPlace(place) ? 1 : 0), fault);
+  if (hasGeoid() && !name.empty()) place.height += seaLevelAt(place.lat, place.lon);
   const Vec3 point = geodeticToEcef(place);
   for (std::size_t i = 0; i < 3; ++i) slots[i] = point[i];
 }
@@ -288,6 +291,12 @@ void readNumbers(const RecordView& record, const NumberPlan& plan, Numbers& numb
   for (std::size_t i = 0; i < plan.together && !numbers.isNull; ++i)
     if (const std::string_view value = record.values[plan.fields[i].field]; isAbsent(value, form))
       throw errorAt(record, plan.fields[i], value, notFinite(value));
+}
+
+void noteSeaLevel(std::string_view name, NumberPlan& plan) {
+  if (!isSeaLevelName(name)) return;
+  plan.isAboveSea = hasGeoid();
+  if (!plan.isAboveSea) plan.notes.push_back(seaLevelNote(name));
 }
 
 std::string faultOf(const Geodetic& place) {

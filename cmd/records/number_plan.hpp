@@ -45,6 +45,7 @@ struct Condition {
 struct NumberPlan {
   std::vector<NumberField> fields = {};
   unsigned kind = 0;                       ///< how the command uses them; values of its own
+  bool isAboveSea = false;                 ///< of a place: its height is above sea level
   bool hasPixel = false;                   ///< the last two numbers are the pixel beside a point
   std::size_t together = 0;                ///< so many fields from the first have a value all, or none of them
   std::vector<Condition> conditions = {};  ///< records that differ in one have another plan
@@ -67,6 +68,9 @@ struct Numbers : std::array<double, kMostNumbers> {
 
 /// Throws RecordError.
 void readNumbers(const RecordView& record, const NumberPlan& plan, Numbers& numbers);
+
+/// Of a place whose height has this name: that it is above sea level, or without --geoid a note that it may be.
+void noteSeaLevel(std::string_view name, NumberPlan& plan);
 
 /// Whether a JSON value looks like a point: an array of three or four numbers, or an object of x, y, z or lat, lon,
 /// height. Does not check the numbers.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/sea_level.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -44,7 +45,7 @@ std::optional<NumberPlan> findEach(const RecordView& record, std::span<const Coo
   for (const auto& [field, also] : matches) {
     if (!field) break;
     if (also) throw hasBoth(record.offset(*also), inQuotes(names[*field]), inQuotes(names[*also]), true);
-    if (isSeaLevelName(names[*field])) plan.notes.push_back(seaLevelNote(names[*field]));
+    noteSeaLevel(names[*field], plan);
     plan.fields.push_back({*field, 1, 1, false, orNull});
   }
   return plan;
@@ -309,8 +310,9 @@ void requireNoOtherDistance(const RecordView& record) {
 Vec4 pointOf(const NumberPlan& plan, std::size_t slots, const Numbers& n) {
   if (n.isNull) throw RecordError(0, "has no point: it is null");
   if (plan.kind == kindPlace || plan.kind == kindPlacedSphere) {
-    const Geodetic place{n[0], n[1], n[2]};
+    Geodetic place{n[0], n[1], n[2]};
     if (const std::string fault = faultOf(place); !fault.empty()) throw RecordError(0, fault);
+    if (plan.isAboveSea) place.height += seaLevelAt(place.lat, place.lon);
     const Vec3 p = geodeticToEcef(place);
     return {p.x, p.y, p.z, 1};
   }
@@ -358,6 +360,18 @@ NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
   if (plan.kind == 0) requireNoOtherDistance(record);
   plan.conditions = std::move(conditions);
   return plan;
+}
+
+NumberPlan findTwoPixels(const RecordView& record, const ColumnChoice& columns) {
+  if (columns.given()) return chosenFields(columns, record, false);
+  if (isNameless(*record.schema)) {
+    if (record.schema->size != 4) failWithCount(record, "u1 v1 u2 v2");
+    return firstFields(4, 0);
+  }
+  Conditions conditions;
+  if (auto plan = find(coordinates::twoUv, record, conditions)) return *plan;
+  throw RecordError(0, "has no " + std::string(coordinates::twoUv.name) + ", a pixel in each of two cameras" +
+                           fieldsNote(*record.schema) + "; --columns names them");
 }
 
 NumberPlan findPair(const RecordView& record, const PointReading& reading) {

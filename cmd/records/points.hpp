@@ -50,6 +50,9 @@ struct Pixel {
 /// two or three numbers of a text line or f64, NaN for no value. Throws RecordError.
 NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns);
 
+/// Finds coordinates::twoUv, or four numbers without names. Throws RecordError.
+NumberPlan findTwoPixels(const RecordView& record, const ColumnChoice& columns);
+
 /// Finds a point as findPoint does, and one of coordinates::kPixelsBesidePoints; or five numbers without names. Throws
 /// RecordError.
 NumberPlan findPair(const RecordView& record, const PointReading& reading);

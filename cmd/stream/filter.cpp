@@ -5,6 +5,7 @@
 
 #include "stream/pipeline.hpp"
 #include "text/csv.hpp"
+#include "text/names.hpp"
 #include "text/system.hpp"
 #include "text/utf8.hpp"
 
@@ -360,6 +361,50 @@ int readRecords(const StreamSetup& setup, const RecordUse& use) {
        .failed = setup.failed},
       reader, output);
   return output.finish();
+}
+
+RecordOutput::RecordOutput(const StreamSetup& setup, const Schema& schema, const ResultRows& rows)
+    : setup_(setup),
+      writing_{.stream = setup_,
+               .form = formOfOutput(setup, schema.form),
+               .separator = separatorOfOutput(setup, schema, formOfOutput(setup, schema.form)),
+               .rows = rows},
+      columns_{.rows = rows},
+      output_({.form = writing_.form, .separator = writing_.separator, .placeOf = nullptr}, std::nullopt) {
+  requireUse(writing_, schema.form);
+  TextBuffer start;
+  if (schema.form == Form::csv && hasColumns(writing_.form)) {
+    std::vector<std::string> names;
+    for (const std::string& name : schema.names) names.push_back(quotedIfNeeded(name, writing_.separator));
+    columns_ = csvColumns(writing_, {schema.names, schema.hasHeader},
+                          joined(names, std::string_view(&writing_.separator, 1)), rows, start);
+  }
+  output_.begin(start.view());
+  writer_ = makeWriter(writing_, columns_, result_.out);
+  begin();
+}
+
+void RecordOutput::begin() {
+  result_.clear();
+  writer_->beginBlock(writing_.form == OutputForm::array ? "]" : "");
+}
+
+void RecordOutput::write(const RecordView& record, const ResultValues& values) {
+  if (record.schema != last_ && !record.schema->isArray) requireNoClash(record, writing_.rows, setup_.prefix);
+  last_ = record.schema;
+  writer_->write(record, writing_.rows, values);
+  if (result_.out.size() > setup_.blockSize) flush();
+}
+
+void RecordOutput::flush() {
+  result_.closing = writer_->closing();
+  output_.put({}, result_);
+  begin();
+}
+
+void RecordOutput::finish() {
+  flush();
+  output_.finish();
 }
 
 }  // namespace viewproj::cmd

@@ -6,6 +6,7 @@
 
 #include "output/record_writer.hpp"
 #include "stream/batch.hpp"
+#include "stream/ordered_output.hpp"
 
 namespace viewproj::cmd {
 
@@ -22,5 +23,26 @@ struct RecordUse {
 
 /// Throws InputError at the first bad record; with keepGoing, skips it and returns 1.
 int readRecords(const StreamSetup& setup, const RecordUse& use);
+
+/// Records that a command makes, with results: written as a filter would that reads records like these.
+class RecordOutput {
+ public:
+  RecordOutput(const StreamSetup& setup, const Schema& schema, const ResultRows& rows);
+  /// Throws RecordError if it has no place among the others.
+  void write(const RecordView& record, const ResultValues& values);
+  void finish();
+
+ private:
+  void begin();
+  void flush();
+
+  StreamSetup setup_;
+  WriterSetup writing_;
+  CsvColumns columns_;
+  BlockResult result_;
+  std::unique_ptr<RecordWriter> writer_;
+  OrderedOutput output_;
+  const Schema* last_ = nullptr;
+};
 
 }  // namespace viewproj::cmd

@@ -57,7 +57,7 @@ Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
 
 }  // namespace
 
-std::size_t cameraFieldOf(const std::string& name, const RecordView& record) {
+std::size_t cameraFieldOf(const std::string& name, const RecordView& record, const char* option) {
   const Schema& schema = *record.schema;
   const bool isCsv = schema.form == Form::csv, hasNames = !schema.isArray && (!isCsv || schema.hasHeader);
   if (hasNames)
@@ -67,7 +67,7 @@ std::size_t cameraFieldOf(const std::string& name, const RecordView& record) {
   const bool isNumber = error == std::errc() && end == name.data() + name.size() && number > 0;
   if (isNumber && (!hasNames || isCsv) && number <= schema.size) return number - 1;
   const std::string what = isCsv ? "column " : schema.isArray ? "number " : "field ";
-  throw RecordError(0, "has no " + what + visible(name) + ", which --camera-by names" +
+  throw RecordError(0, "has no " + what + visible(name) + ", which " + option + " names" +
                            (hasNames ? fieldsNote(schema) : "; fields without names have numbers, from 1"));
 }
 

@@ -38,8 +38,8 @@ struct CameraField {
   std::string path = {};
 };
 
-/// The field that --camera-by names: by its name, or by its number where fields have none. Throws RecordError.
-std::size_t cameraFieldOf(const std::string& name, const RecordView& record);
+/// The field that an option names: by its name, or by its number where fields have none. Throws RecordError.
+std::size_t cameraFieldOf(const std::string& name, const RecordView& record, const char* option = "--camera-by");
 /// The camera that a record names in this field; empty where the value is no name.
 std::string cameraNameAt(const RecordView& record, std::size_t field);
 

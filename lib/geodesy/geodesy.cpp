@@ -1,6 +1,8 @@
 #include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/Geoid.hpp>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <string>
 
@@ -73,6 +75,31 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
   Geodetic place;
   GeographicLib::Geocentric::WGS84().Reverse(point.x, point.y, point.z, place.lat, place.lon, place.height);
   return {place.lat + 0.0, place.lon + 0.0, place.height + 0.0};
+}
+
+struct Geoid::Grid {
+  Grid(const std::string& name, const std::string& folder) : heights(name, folder) {}
+  std::mutex reading;
+  GeographicLib::Geoid heights;
+};
+
+Geoid::Geoid(const std::string& file) {
+  const std::string ending = ".pgm";
+  if (!file.ends_with(ending)) throw CameraError("geoid", "the name of a file ends in .pgm");
+  const std::size_t slash = file.find_last_of("/\\") + 1;
+  try {
+    grid_ = std::make_shared<Grid>(file.substr(slash, file.size() - ending.size() - slash),
+                                   slash > 0 ? file.substr(0, slash) : "./");
+  } catch (const std::exception& e) {
+    throw CameraError("geoid", e.what());
+  }
+}
+
+double Geoid::operator()(const Geodetic& place) const try {
+  const std::lock_guard lock(grid_->reading);
+  return grid_->heights(place.lat, place.lon);
+} catch (const std::exception& e) {
+  throw CameraError("geoid", e.what());
 }
 
 FineVec3 detail::exactNormal(const Geodetic& place) noexcept {

@@ -12,6 +12,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 
 #include "viewproj/screen.hpp"
 
@@ -39,6 +41,26 @@ Vec3 geodeticToEcef(const Geodetic& place) noexcept;
 /// The place above or below the nearest point of the ellipsoid, with lon from -180 to 180. The Earth's centre gives the
 /// north pole. NaN if a coordinate is not finite.
 Geodetic ecefToGeodetic(const Vec3& point) noexcept;
+
+/// How far sea level lies above the ellipsoid: a grid in a file of GeographicLib (egm96-5.pgm, egm2008-1.pgm; its tool
+/// geographiclib-get-geoids fetches them), interpolated by its cubic rule. A height above the ellipsoid is a height
+/// above sea level plus this.
+///
+///   const Geoid geoid("/usr/share/GeographicLib/geoids/egm96-5.pgm");
+///   Geodetic summit{45.8326, 6.8652, 4806};                        // above sea level
+///   summit.height += geoid(summit);
+class Geoid {
+ public:
+  /// Throws CameraError naming "geoid" if there is no such file, or it is none.
+  explicit Geoid(const std::string& file);
+  /// Metres, at any height; NaN for no place. Reads the file, one thread at a time. Throws CameraError naming "geoid"
+  /// if it cannot be read.
+  double operator()(const Geodetic& place) const;
+
+ private:
+  struct Grid;
+  std::shared_ptr<Grid> grid_;
+};
 
 /// Orientation of a camera in degrees: heading clockwise from north, pitch above the horizon, roll with the right side
 /// down. With east, north and up at the eye, a level camera looks along
