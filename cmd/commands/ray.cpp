@@ -306,8 +306,8 @@ int run(const Options& o) {
 Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
-      "Pixels to rays: each record with the ray's origin and unit direction, the point itself where there is a depth, "
-      "and the nearest hit with a scene. A pixel that the lens does not reach gives null.");
+      "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
+      "hit with a scene; null where the lens sees nothing.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
@@ -324,7 +324,7 @@ Action declareRay(CLI::App& app) {
       ->excludes("--scene")
       ->excludes("--plane");
   addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
-           "The same above sea level, as --geoid has it at the camera")
+           "The same above sea level, which --geoid gives")
       ->excludes("--scene")
       ->excludes("--plane")
       ->excludes("--height");
@@ -334,9 +334,9 @@ Action declareRay(CLI::App& app) {
   };
   addValue(
       app, "--fields", "NAMES", o->fields, readFields,
-      withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+      withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
   addPrecision(app, o->precision);
-  addModel(app, o->model, "Write rays and points in the coordinates of this model");
+  addModel(app, o->model, "Results in its coordinates");
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };
