@@ -150,7 +150,7 @@ inline constexpr Field kFields[] = {
     wordField("convention.ndcY", wordsOf<kNdcYNames>, "Direction of NDC y in the picture."),
     wordField("convention.vectors", wordsOf<kVectorsNames>, "M v for column, v M for row."),
     wordField("convention.storage", wordsOf<kStorageNames>, "Order in memory."),
-    wordField("world", wordsOf<kWorlds>, "Default: ecef at a place. enu: x, y, z are east, north, up."),
+    wordField("world", wordsOf<kWorlds>, "enu: x, y, z are east, north, up."),
     poseField("position", Kind::place, 127, "--position", "Position: x,y,z or lat=..,lon=..,height=..", nullptr, "eye",
               "from origin location center"),
     poseField("target", Kind::place, 1, "--target", "Point to look at.", nullptr, "lookAt", "at to"),

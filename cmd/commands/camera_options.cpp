@@ -49,6 +49,7 @@ void CameraOptions::add(CLI::App& app) {
             "FILE[#N], or 'x,y,z rpy:0,0,90'");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid, in metres or a file");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {
@@ -61,7 +62,6 @@ void CameraOptions::add(CLI::App& app) {
   }
   app.add_flag_callback(
       "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "Orthographic projection");
-  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or egm96-5.pgm");
   app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
   app.option_defaults()->group(kConventionGroup);

@@ -249,7 +249,7 @@ Action declareFootprint(CLI::App& app) {
   addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0")
       ->excludes("--height");
   addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
-           "The same above sea level, as --geoid has it at the camera")
+           "The same above sea level, which --geoid gives")
       ->excludes("--height")
       ->excludes("--plane");
   addValue(app, "--max-distance", "D", o->most, numberThat(aboveZero, "a distance above 0"),

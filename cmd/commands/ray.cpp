@@ -304,8 +304,8 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   describe(
       app,
-      "Pixels to rays: each record with the ray's origin and unit direction, the point itself where there is a depth, "
-      "and the nearest hit with a scene. A pixel that the lens does not reach gives null.",
+      "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
+      "hit with a scene; null where the lens sees nothing.",
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --pixel 640,360 --to table\n"
@@ -324,16 +324,15 @@ Action declareRay(CLI::App& app) {
   exclude(height, plane);
   CLI::Option* const altitude = addValue(app, "--altitude", "H", o->altitude,
                                          numberThat([](double number) { return std::isfinite(number); }, "metres"),
-                                         "The same above sea level, as --geoid has it at the camera");
+                                         "The same above sea level, which --geoid gives");
   for (CLI::Option* const other : {scene, plane, height}) exclude(altitude, other);
   addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());
   };
-  addValue(
-      app, "--fields", "NAMES", o->fields, readFields,
-      withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
-  addModel(app, o->model, "Write rays and points in the coordinates of this model");
+  addValue(app, "--fields", "NAMES", o->fields, readFields,
+           withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+  addModel(app, o->model, "Results in its coordinates");
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };

@@ -367,6 +367,7 @@ int runTriangulate(const TriangulateOptions& o) {
   const RecordCameras cameras = o.cameras.read(o.camera, setup, [](const CameraFile&) {});
   setup.namesCameras = false;
   setup.areWords = true;
+  setup.arrayName = "pixels";
   CamerasOfBatch finder(cameras);
   Triangulator triangulator(o, setup, cameras.worldIsEcef());
   static const std::string kNoField;
@@ -404,10 +405,10 @@ Action declareTriangulate(CLI::App& app) {
   const auto o = std::make_shared<TriangulateOptions>();
   describe(
       app,
-      "Where the rays of a point's pixels meet: the position whose pixels miss them least, in least squares. A record "
-      "is a pixel with the names of its camera and its point; or u1, v1, u2, v2, a point's pixels in the first two "
-      "cameras of -c. sigma is how far x, y and z may be off for a pixel's noise, angle the largest between two rays, "
-      "wrong the line of a pixel that the others contradict. Status 1 where a position is null, and reason says why.",
+      "Where the rays of a point's pixels meet, by least squares of their misses. A record is a pixel with the names "
+      "of its camera and its point; or u1, v1, u2, v2, its pixels in the first two cameras of -c. sigma: how far x, y "
+      "and z may be off; angle: the largest between two rays; wrong: the line of a pixel that the others contradict. "
+      "Status 1 where a position is null.",
       "Examples:\n"
       "  rig='{\"cameras\": [{}, {\"position\": [1, 0, 0]}], \"position\": [0, 0, 0],\n"
       "    \"direction\": [0, 0, -1], \"projection\": {\"type\": \"perspective\", \"fovY\": 60},\n"
@@ -423,7 +424,7 @@ Action declareTriangulate(CLI::App& app) {
   addFlag(app, "--robust", o->isRobust, "Leave out the pixel that the others contradict");
   addValue(app, "--noise", "PIXELS", o->noise,
            numberThat([](double noise) { return noise > 0 && std::isfinite(noise); }, "a number of pixels above 0"),
-           "Standard deviation of a pixel, for sigma (default: 1)");
+           "Noise of a pixel, for sigma (default: 1)");
   addOption(
       app, "--fields", "misses",
       [o](const std::string& option, const std::string& text) {

@@ -101,9 +101,9 @@ inline constexpr const Coordinate* kShapes[] = {&sphere, &box, &triangle};
 inline constexpr Coordinate
     screen = {"screen", array, 2, 2, "a pixel, as project writes it", 0, {}, true},
     pixel = {"pixel", array, 2, 2, "the same", 0, {}, true},
-    xy = {"x y", numbers, 2, 2, "the same, one field or column per number, without z", 0, kXy},
-    uv = {"u v", numbers, 2, 2, "the same; also beside a point", 0, kUv},
-    pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy},
+    xy = {"x y", numbers, 2, 2, "the same, one field or column per number, without z", 0, kXy, true},
+    uv = {"u v", numbers, 2, 2, "the same; also beside a point", 0, kUv, true},
+    pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy, true},
     depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
     viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; preferred to depth", 0, kViewDistance, true},
     range = {"range", numbers, 1, 1, "its distance from the eye; used only without the others", 0, kRange, true};

@@ -29,6 +29,7 @@ shows() {
     check | mistakes) pattern='y-flipped' ;;
     info | camera) pattern='fovY  *60$' ;;
     footprint) pattern='^area  *[1-9]' ;;
+    triangulate) pattern='1\.142857' ;;
     explain) pattern='screen.x .* 687\.08' ;;
     depth) pattern='0\.90009' ;;
     measure) pattern='matrix float32 .*[1-9]' ;;
