@@ -75,8 +75,11 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
   if (!file.worldIsEcef && o.form == FootprintForm::geojson)
     file.fail("GeoJSON has longitudes and latitudes only, and the camera of " + file.name + " is not on the Earth");
   const PlaneEquation plane = o.plane.value_or(PlaneEquation{{0, 0, 1}, -o.height.value_or(0)});
-  const auto ground =
-      file.worldIsEcef ? groundOfHeight(*o.height, eye) : groundOfPlane(plane.normal, plane.offset, eye);
+  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{*o.height}}, eye) : groundOf({"", plane}, eye);
+  if (ground->holdsEye)
+    throw InputError("the eye is on the " +
+                     (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
+                     "; no outline has a size there");
   const double most = o.most.value_or(std::numeric_limits<double>::infinity());
   return {name.empty() ? OrderedJson() : OrderedJson(name),     file.worldIsEcef, o.height, plane, eye,
           outlineOf(camera, *ground, most, o.error.value_or(0))};

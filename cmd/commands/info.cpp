@@ -224,7 +224,8 @@ OrderedJson horizonOf(const CameraFile& file, double height) {
   if (!file.pose) return nullptr;
   const Vec3 eye = file.pose->eye();
   if (!((file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z) > height)) return nullptr;
-  const auto ground = file.worldIsEcef ? groundOfHeight(height, eye) : groundOfPlane({0, 0, 1}, -height, eye);
+  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{height}}, eye)
+                                       : groundOf({"", PlaneEquation{{0, 0, 1}, -height}}, eye);
   const double heading = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef).heading.value;
   const auto limit = ground->farthest(heading * std::numbers::pi / 180, std::numeric_limits<double>::infinity());
   OrderedJson pixels = OrderedJson::array({nullptr, nullptr, nullptr});

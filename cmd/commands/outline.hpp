@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/ground.hpp"
+#include "picture/ground.hpp"
 
 namespace viewproj::cmd {
 

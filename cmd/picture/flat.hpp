@@ -15,22 +15,32 @@ struct Rect {
 };
 
 inline Rect grown(const Rect& a, double by) { return {a.left - by, a.top - by, a.right + by, a.bottom + by}; }
+inline Rect around(const Vec2& at, double x, double y) { return {at.x - x, at.y - y, at.x + x, at.y + y}; }
+inline Vec2 middleOf(const Rect& a) { return {(a.left + a.right) / 2, (a.top + a.bottom) / 2}; }
 inline bool meet(const Rect& a, const Rect& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
-inline bool holds(const Rect& box, const Vec2& at) {
-  return box.left <= at.x && at.x <= box.right && box.top <= at.y && at.y <= box.bottom;
+inline bool holds(const Rect& outer, const Rect& inner) {
+  return outer.left <= inner.left && inner.right <= outer.right && outer.top <= inner.top &&
+         inner.bottom <= outer.bottom;
 }
+inline bool holds(const Rect& box, const Vec2& at) { return holds(box, around(at, 0, 0)); }
 /// NaN if there are no points.
 Rect boundsOf(const std::vector<Vec2>& points);
+inline double largerSide(const Rect& a) { return std::fmax(a.right - a.left, a.bottom - a.top); }
 
+/// a + k b.
+inline Vec2 sum(const Vec2& a, double k, const Vec2& b) { return {a.x + k * b.x, a.y + k * b.y}; }
 inline double distance(const Vec2& a, const Vec2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
-inline Vec2 between(const Vec2& a, const Vec2& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+inline Vec2 between(const Vec2& a, const Vec2& b, double t) { return sum(a, t, sum(b, -1, a)); }
+/// The direction from a to b, of length 1.
+inline Vec2 wayFrom(const Vec2& a, const Vec2& b) { return sum({}, 1 / distance(a, b), sum(b, -1, a)); }
 double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b);
 /// Length of a segment within a box (Liang-Barsky).
 double lengthWithin(const Vec2& a, const Vec2& b, const Rect& box);
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
+double lengthOf(const std::vector<Vec2>& line);
 /// Without the points that lie within 0.12 of the line of those that stay (Douglas-Peucker).
 std::vector<Vec2> simplified(const std::vector<Vec2>& line);
 /// The corners of the convex hull, in order (Andrew's chains).
