@@ -2,20 +2,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "camera/plain_vectors.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/geojson.hpp"
 #include "commands/outline.hpp"
+#include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
+#include "output/report.hpp"
 #include "records/arguments.hpp"
-#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/json_text.hpp"
 #include "text/number.hpp"
-#include "text/system.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
@@ -29,35 +28,27 @@ struct FootprintOptions {
   std::optional<PlaneEquation> plane;
   FootprintForm form = FootprintForm::table;
   std::optional<std::size_t> digits;
-
-  int digitsOf() const {
-    constexpr std::size_t kOfTable = 9;
-    return static_cast<int>(digits.value_or(form == FootprintForm::table ? kOfTable : 0));
-  }
 };
 
 /// A camera's outline, and what its numbers are of.
 struct Footprint {
-  OrderedJson name;
-  bool isOnEarth;
-  std::optional<double> height;
-  PlaneEquation plane;
+  OrderedJson name, surface;
+  std::optional<double> heightOnEarth;
   Vec3 eye;
   Outline outline;
 
   /// lat, lon and height, or x, y and z.
   OrderedJson placeOf(const Vec3& point) const {
-    if (!isOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
+    if (!heightOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
     const Geodetic place = ecefToGeodetic(point);
-    return {{"lat", place.lat}, {"lon", place.lon}, {"height", *height}};
-  }
-  OrderedJson surface() const {
-    if (height) return {{"height", *height}};
-    const Vec3& n = plane.normal;
-    const double k = -plane.offset / (n.x * n.x + n.y * n.y + n.z * n.z);
-    return {{"plane", {{"point", {k * n.x + 0.0, k * n.y + 0.0, k * n.z + 0.0}}, {"normal", asJson(n)}}}};
+    return {{"lat", place.lat}, {"lon", place.lon}, {"height", *heightOnEarth}};
   }
 };
+
+OrderedJson pointAndNormal(const PlaneEquation& plane) {
+  const Vec3& n = plane.normal;
+  return {{"point", asJson(scaled(n, -plane.offset / detail::dot(n, n)))}, {"normal", asJson(n)}};
+}
 
 /// The plane z = H in a local world.
 Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const std::string& name) {
@@ -80,63 +71,68 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
     throw InputError("the eye is on the " +
                      (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
                      "; no outline has a size there");
-  const double most = o.most.value_or(std::numeric_limits<double>::infinity());
-  return {name.empty() ? OrderedJson() : OrderedJson(name),     file.worldIsEcef, o.height, plane, eye,
-          outlineOf(camera, *ground, most, o.error.value_or(0))};
+  return {name.empty() ? OrderedJson() : OrderedJson(name),
+          o.height ? OrderedJson{{"height", *o.height}} : OrderedJson{{"plane", pointAndNormal(plane)}},
+          file.worldIsEcef ? o.height : std::nullopt, eye,
+          outlineOf(camera, *ground, o.most.value_or(HUGE_VAL), o.error.value_or(0))};
 }
 
 OrderedJson samplingOf(const GroundSampling& gsd) { return gsd ? OrderedJson(*gsd) : OrderedJson(); }
 
-OrderedJson polygonOf(const Footprint& f, const OutlineRing& ring) {
-  OrderedJson polygon = OrderedJson::array();
-  for (const OutlineVertex& v : ring.vertices) {
-    polygon.push_back(f.placeOf(v.point));
-    polygon.back()["pixel"] = v.pixel ? asJson(*v.pixel) : OrderedJson();
-  }
-  return polygon;
-}
-
 OrderedJson reportOf(const Footprint& f) {
   const Outline& outline = f.outline;
-  OrderedJson report{{"name", f.name}, {"surface", f.surface()}, {"cut", outline.cut}, {"center", nullptr}};
+  OrderedJson corners = OrderedJson::array(), polygons = OrderedJson::array(), holes = OrderedJson::array();
+  for (const GroundSampling& gsd : outline.cornerGsd) corners.push_back(samplingOf(gsd));
+  OrderedJson report{{"name", f.name},
+                     {"surface", f.surface},
+                     {"cut", outline.cut},
+                     {"center", nullptr},
+                     {"gsd", {{"center", samplingOf(outline.gsd)}, {"corners", corners}}},
+                     {"area", outline.area},
+                     {"error", outline.rings.empty() ? OrderedJson() : OrderedJson(outline.error)},
+                     {"polygon", nullptr}};
   if (outline.center) {
     report["center"] = f.placeOf(outline.center->point);
     report["center"]["distance"] = outline.center->distance;
   }
-  OrderedJson corners = OrderedJson::array();
-  for (const GroundSampling& gsd : outline.cornerGsd) corners.push_back(samplingOf(gsd));
-  report["gsd"] = {{"center", samplingOf(outline.gsd)}, {"corners", corners}};
-  report["area"] = outline.area;
-  report["error"] = outline.rings.empty() ? OrderedJson() : OrderedJson(outline.error);
-  report["polygon"] = nullptr;
-  OrderedJson polygons = OrderedJson::array(), holes = OrderedJson::array();
   double largest = 0;
   for (const OutlineRing& ring : outline.rings) {
-    (ring.isHole ? holes : polygons).push_back(polygonOf(f, ring));
+    OrderedJson polygon = OrderedJson::array();
+    for (const OutlineVertex& v : ring.vertices) {
+      polygon.push_back(f.placeOf(v.point));
+      polygon.back()["pixel"] = v.pixel ? asJson(*v.pixel) : OrderedJson();
+    }
+    (ring.isHole ? holes : polygons).push_back(polygon);
     if (ring.isHole || ring.area < largest) continue;
     largest = ring.area;
-    report["polygon"] = polygons.back();
+    report["polygon"] = polygon;
   }
-  if (polygons.size() > 1) report["polygons"] = std::move(polygons);
-  if (!holes.empty()) report["holes"] = std::move(holes);
+  if (polygons.size() > 1) report["polygons"] = polygons;
+  if (!holes.empty()) report["holes"] = holes;
   return report;
 }
 
 /// A row a vertex, or one without a place.
-std::string csvRows(const Footprint& f, int digits) {
-  const std::string name = f.name.is_string() ? quotedIfNeeded(f.name.get<std::string>()) : "";
-  if (f.outline.rings.empty()) return name + ",,,,,,,\n";
-  std::string rows;
-  for (std::size_t ring = 0; ring < f.outline.rings.size(); ++ring) {
-    const OutlineRing& each = f.outline.rings[ring];
-    std::size_t index = 0;
-    for (const OutlineVertex& v : each.vertices) {
-      rows += name + "," + std::to_string(index++);
-      for (const auto& number : f.placeOf(v.point)) rows += "," + formatNumber(toDigits(number.get<double>(), digits));
-      for (const double Vec2::*part : {&Vec2::x, &Vec2::y})
-        rows += "," + (v.pixel ? formatNumber(toDigits((*v.pixel).*part, digits)) : "");
-      rows += "," + (each.isHole ? "hole" : std::to_string(ring)) + "\n";
-    }
+OrderedJson rowsOf(const Footprint& f) {
+  OrderedJson rows = OrderedJson::array();
+  const auto add = [&](const OrderedJson& vertex, const Vec3& point, const std::optional<Vec2>& pixel,
+                       const OrderedJson& ring) {
+    OrderedJson row{{"name", f.name}, {"vertex", vertex}};
+    row.update(f.placeOf(point));
+    row.update({{"pixel_x", pixel ? pixel->x : NAN}, {"pixel_y", pixel ? pixel->y : NAN}, {"ring", ring}});
+    rows.push_back(row);
+  };
+  std::size_t number = 0;
+  for (const OutlineRing& ring : f.outline.rings) {
+    std::size_t vertex = 0;
+    for (const OutlineVertex& v : ring.vertices)
+      add(vertex++, v.point, v.pixel, ring.isHole ? OrderedJson("hole") : OrderedJson(number));
+    ++number;
+  }
+  if (rows.empty()) {
+    add(nullptr, {}, {}, nullptr);
+    for (auto& [name, value] : rows[0].items())
+      if (name != "name") value = nullptr;
   }
   return rows;
 }
@@ -145,21 +141,18 @@ std::string csvRows(const Footprint& f, int digits) {
 OrderedJson featureOf(const Footprint& f) {
   const Outline& outline = f.outline;
   OrderedJson polygons = OrderedJson::array();
-  const double pole = std::copysign(90, ecefToGeodetic(f.eye).lat);
   for (const OutlineRing& ring : outline.rings) {
     MapRing places;
     for (const OutlineVertex& v : ring.vertices) places.push_back(v.place);
-    std::vector<MapRing> parts = mapRings(places, pole);
+    std::vector<MapRing> parts = mapRings(places, std::copysign(90, ecefToGeodetic(f.eye).lat));
     if (ring.isHole && (parts.size() > 1 || polygons.size() > 1))
       throw InputError("the outline has a hole, and passes the antimeridian, which GeoJSON is not written for");
     for (MapRing& part : parts) {
       if (ring.isHole) std::reverse(part.begin(), part.end());
       OrderedJson line = OrderedJson::array();
-      for (const Vec2& place : part) line.push_back({place.x, place.y, *f.height});
-      if (ring.isHole)
-        polygons.back().push_back(std::move(line));
-      else
-        polygons.push_back(OrderedJson::array({std::move(line)}));
+      for (const Vec2& place : part) line.push_back({place.x, place.y, *f.heightOnEarth});
+      if (!ring.isHole) polygons.push_back(OrderedJson::array());
+      polygons.back().push_back(std::move(line));
     }
   }
   OrderedJson geometry;
@@ -178,37 +171,42 @@ class FootprintWriter {
 
   /// Throws InputError for one that the form has no place for; then nothing is written.
   void write(const Footprint& f) {
+    std::string text;
     if (form_ == FootprintForm::table) {
-      writeOutput((isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_));
+      text = (isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_);
     } else if (form_ == FootprintForm::json) {
-      writeOutput(compactJson(reportOf(f), digits_) + "\n");
+      text = compactJson(reportOf(f), digits_) + "\n";
     } else if (form_ == FootprintForm::geojson) {
-      const std::string feature = compactJson(featureOf(f), digits_);
-      writeOutput((isFirst_ ? kHead : std::string(",")) + "\n" + feature);
+      text = (isFirst_ ? kHead : ",") + std::string("\n") + compactJson(featureOf(f), digits_);
     } else {
-      if (!isFirst_ && f.isOnEarth != isOnEarth_)
+      text = csvText(rowsOf(f), digits_);
+      const std::string head = text.substr(0, text.find('\n') + 1);
+      if (isFirst_) head_ = head;
+      if (head != head_)
         throw InputError("a table has places on the Earth, or positions, and the first camera decides");
-      const std::string head = f.isOnEarth ? "lat,lon,height" : "x,y,z";
-      writeOutput((isFirst_ ? "name,vertex," + head + ",pixel_x,pixel_y,ring\n" : "") + csvRows(f, digits_));
+      if (!isFirst_) text.erase(0, head.size());
     }
+    writeOutput(text);
     isFirst_ = false;
-    isOnEarth_ = f.isOnEarth;
   }
   void end() const {
-    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + "\n]}\n");
+    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + std::string("\n]}\n"));
   }
 
  private:
-  static inline const std::string kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
+  static constexpr const char* kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
   FootprintForm form_;
   int digits_;
-  bool isFirst_ = true, isOnEarth_ = false;
+  bool isFirst_ = true;
+  std::string head_;  ///< of CSV
 };
 
 /// A camera without an outline has a message instead.
 int runFootprint(const FootprintOptions& o) {
+  constexpr std::size_t kDigitsOfTable = 9;
   int status = 0;
-  FootprintWriter writer(o.form, o.digitsOf());
+  FootprintWriter writer(o.form,
+                         static_cast<int>(o.digits.value_or(o.form == FootprintForm::table ? kDigitsOfTable : 0)));
   for (const auto& [cameras, which] : o.camera.readFiles())
     for (const std::size_t i : which) {
       std::string place;

@@ -97,11 +97,12 @@ class HeightGround final : public Ground {
     for (int i = 0; i < kSteps; ++i) {
       const Vec3 d = direction(azimuth, e);
       const Level before = levelAt(t, d);
-      t -= dot(before.normal, d) * (kA + before.height);
+      const double lower = dot(before.normal, d) * (kA + before.height);
+      t -= lower;
       const auto [above, normal] = levelAt(t, d);
       const double step = (above - hiding_) / (t * dot(normal, rising(azimuth, e)));
       e -= step;
-      if (std::fabs(step) < 1e-16) break;
+      if (std::fabs(step) < 1e-16 && std::fabs(lower) < 1e-6) break;
     }
     return {e, t};
   }
