@@ -44,12 +44,11 @@ class Tracer {
     turning_ = ground.turning() * (isMirrored ? -1 : 1);
   }
 
-  std::array<std::optional<Vec2>, 3> horizonPixels() {
+  std::array<std::optional<Vec2>, 3> horizonPixels(double heading) {
     if (isFlat_) return {};
     const auto [runs, areCut] = runsOf(pieces());
     if (!areCut) {
       if (!horizonIsInPicture(most_)) return {};
-      const double heading = ground_.azimuthOf(camera_.pose().forward());
       const std::optional<Vec2> behind = horizonPixel(heading + kPi);
       return {behind, horizonPixel(heading), behind};
     }
@@ -351,8 +350,8 @@ Outline outlineOf(const Camera& camera, const Ground& ground, double most, doubl
   return Tracer(camera, ground, most).outline(error);
 }
 
-std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground) {
-  return Tracer(camera, ground, HUGE_VAL).horizonPixels();
+std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground, double heading) {
+  return Tracer(camera, ground, HUGE_VAL).horizonPixels(heading);
 }
 
 }  // namespace viewproj::cmd
