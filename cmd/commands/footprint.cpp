@@ -71,6 +71,8 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
     throw InputError("the eye is on the " +
                      (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
                      "; no outline has a size there");
+  if (ground->rise < 0)
+    note("the eye is below --height " + formatNumber(*o.height) + ": the ground is seen from below");
   return {name.empty() ? OrderedJson() : OrderedJson(name),
           o.height ? OrderedJson{{"height", *o.height}} : OrderedJson{{"plane", pointAndNormal(plane)}},
           file.worldIsEcef ? o.height : std::nullopt, eye,

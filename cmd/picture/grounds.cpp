@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "camera/plain_camera.hpp"
 #include "picture/drawing.hpp"
 #include "picture/ground.hpp"
 #include "text/number.hpp"
@@ -27,20 +28,17 @@ std::optional<double> widthBelow(const View& view, const Ground& ground) {
   return std::nullopt;
 }
 
-/// The places that the picture shows, if its edge shows nothing but the ground; else all.
-Rect placesInView(const View& view, const Ground& ground) {
-  constexpr int kPlaces = 8;  // of a side
-  const Rect& f = view.frame();
-  const Vec2 corners[] = {{f.left, f.top}, {f.right, f.top}, {f.right, f.bottom}, {f.left, f.bottom}};
+/// The places that the picture shows, if its rim shows nothing but the ground; else all that there are.
+Rect placesInView(const Drawing& drawing, const Ground& ground) {
   std::vector<Vec2> seen;
-  for (std::size_t side = 0; side < 4; ++side)
-    for (int i = 0; i < kPlaces; ++i) {
-      const auto point = pointUnder(view, ground, between(corners[side], corners[(side + 1) % 4], i / double(kPlaces)));
-      if (!point) return ground.extent;
-      seen.push_back(sum(ground.foot, 1, ground.way(ground.foot, ground.placeOf(*point))));
-    }
+  for (const Vec2& at : drawing.rim) {
+    const auto point = pointUnder(drawing.view, ground, at);
+    if (!point) return ground.extent;
+    seen.push_back(sum(ground.foot, 1, ground.way(ground.foot, ground.placeOf(*point))));
+  }
+  constexpr double kMore = 0.5;  // of the size: meridians and parallels are bent between the corners
   const Rect box = boundsOf(seen), &all = ground.extent;
-  const auto [left, top, right, bottom] = grown(box, 0.25 * largerSide(box));
+  const auto [left, top, right, bottom] = grown(box, kMore * largerSide(box));
   return {std::max(left, all.left), std::max(top, all.top), std::min(right, all.right), std::min(bottom, all.bottom)};
 }
 
@@ -53,36 +51,34 @@ bool drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, do
   const Projection projection = view.camera().projection();
   const double focal = (view.frame().right - view.frame().left) / (projection.right() - projection.left());
   const double height = std::fabs(ground.rise);
-  const Rect shown = placesInView(view, ground), &all = ground.extent;
+  const Rect shown = placesInView(drawing, ground);
   const Vec2 scale = ground.scaleAt(foot);
-  // Of lines of one x, and of one y: the numbers of their own, and those along them.
-  struct Family {
-    double foot, size, low, high, origin, otherFoot, otherSize, otherLow, otherHigh;
-  };
-  const double width = std::max(scale.x, kLeastShare * scale.y);
-  const Family ofX{foot.x, width, shown.left, shown.right, ground.origin.x, foot.y, scale.y, all.top, all.bottom};
-  const Family ofY{foot.y, scale.y, shown.top, shown.bottom, ground.origin.y, foot.x, width, all.left, all.right};
+  // Of x, and of y.
+  const double origins[] = {ground.origin.x, ground.origin.y}, feet[] = {foot.x, foot.y};
+  const double sizes[] = {std::max(scale.x, kLeastShare * scale.y), scale.y};
+  const double lows[] = {shown.left, shown.top}, highs[] = {shown.right, shown.bottom};
   bool isDrawn = false;
   for (int level = 0; level < kLevels; ++level) {
     const double s = step * std::pow(10, level);
-    if (level > 0 && 6 * s > all.bottom - all.top) break;
-    for (const bool isX : {true, false}) {
-      const Family& of = isX ? ofX : ofY;
+    if (level > 0 && 6 * s > ground.extent.bottom - ground.extent.top) break;
+    for (const std::size_t k : {0U, 1U}) {  // lines of one x, lines of one y
+      const std::size_t other = 1 - k;
       const double reach =
-          view.isParallel() ? kReachOfParallel * s * of.size : std::sqrt(s * of.size * focal * height / kGap);
-      const double low = std::max(of.low, of.foot - reach / of.size),
-                   high = std::min(of.high, of.foot + reach / of.size);
-      const double first = std::ceil((low - of.origin) / s), count = std::floor((high - of.origin) / s) - first;
+          view.isParallel() ? kReachOfParallel * s * sizes[k] : std::sqrt(s * sizes[k] * focal * height / kGap);
+      const double low = std::max(lows[k], feet[k] - reach / sizes[k]),
+                   high = std::min(highs[k], feet[k] + reach / sizes[k]);
+      const double first = std::ceil((low - origins[k]) / s), count = std::floor((high - origins[k]) / s) - first;
       if (!(count <= kMostLines)) continue;
       for (int i = 0; i <= count; ++i) {
-        const double k = first + i, line = of.origin + k * s;
-        if (level + 1 < kLevels && std::fmod(k, 10) == 0) continue;
-        const double off = (line - of.foot) * of.size, half = std::sqrt(std::max(0.0, reach * reach - off * off));
-        const double away = std::hypot(height, off), angle = std::atan(half / away);
+        if (level + 1 < kLevels && std::fmod(first + i, 10) == 0) continue;
+        const double line = origins[k] + (first + i) * s, off = (line - feet[k]) * sizes[k];
+        const double half = std::sqrt(std::max(0.0, reach * reach - off * off)), away = std::hypot(height, off);
+        const auto angleOf = [&](double end) { return std::atan((end - feet[other]) * sizes[other] / away); };
+        const double widest = std::atan(half / away);
+        const double from = std::max(-widest, angleOf(lows[other])), to = std::min(widest, angleOf(highs[other]));
         const auto at = [&](double t) {  // by equal angles at the eye
-          const double along = of.otherFoot + away * std::tan((2 * t - 1) * angle) / of.otherSize;
-          const double other = std::clamp(along, of.otherLow, of.otherHigh);
-          return pointOf(ground.pointAt(isX ? Vec2{line, other} : Vec2{other, line}));
+          const double along = feet[other] + away * std::tan(from + t * (to - from)) / sizes[other];
+          return pointOf(ground.pointAt(k == 0 ? Vec2{line, along} : Vec2{along, line}));
         };
         for (const Piece& piece : piecesOf(view, at, kSteps, {Extent::anyDistance})) {
           if (piece.isHidden || distance(piece.line.front(), piece.line.back()) < kShortest) continue;
@@ -130,8 +126,8 @@ void drawHorizon(const Drawing& drawing, const Ground& ground) {
     circle = horizonOf(view, ground.up);
   }
   if (ground.isOnEarth && !view.isParallel()) {
-    const double heading = ground.azimuthOf(view.camera().pose().forward());
-    const auto limit = ground.farthest(heading, HUGE_VAL);
+    const double heading = headingPitchRollOf(plainPose(view.camera().pose()), true).heading.value;
+    const auto limit = ground.farthest(heading * kDegrees, HUGE_VAL);
     text += ", " + formatDigits(limit->distance / 1000, 3) + " km away, " +
             formatDigits(-limit->elevation / kDegrees, 3) + "° below level";
     if (-limit->elevation < kLargestDip) drawAzimuths(drawing, ground);
@@ -141,7 +137,7 @@ void drawHorizon(const Drawing& drawing, const Ground& ground) {
   for (const Piece& piece : pieces) {
     drawing.sheet.addLine(Layer::horizon, "horizon", piece.line);
     drawing.sheet.labels.addInk(piece.line, kOfHorizon);
-    drawing.sheet.explain(Symbol::horizon, text);
+    drawing.sheet.explain("horizon", text);
   }
   if (!drawing.sheet.hasPhoto)
     fillConvex(drawing, Layer::land, "land", pieces,
@@ -162,7 +158,7 @@ void drawGrounds(const Drawing& drawing, const std::vector<NamedPoint>& withStem
       if (!isFirst || !top || !view.place(point.point)) continue;
       const Vec3 below = ground->pointAt(ground->placeOf(*top));
       drawing.sheet.addPieces(piecesOf(view, *top, below), "stem", kOfStem);
-      drawing.sheet.explain(Symbol::stem);
+      drawing.sheet.explain("down to the ground");
     }
     isFirst = false;
     const bool isUnder = ground->isOnEarth && ground->rise < 0;
@@ -175,8 +171,7 @@ void drawGrounds(const Drawing& drawing, const std::vector<NamedPoint>& withStem
     const double largest = (ground->extent.bottom - ground->extent.top) / 6;
     const double step = std::min(largest, roundedDown(*width / ground->scaleAt(foot).y));
     if (drawGrid(drawing, *ground, foot, step))
-      drawing.sheet.explain(Symbol::grid,
-                            shape.id + ": grid of " + formatDigits(step, 3) + (ground->isOnEarth ? "°" : ""));
+      drawing.sheet.explain("grid", shape.id + ": grid of " + formatDigits(step, 3) + (ground->isOnEarth ? "°" : ""));
   }
 }
 

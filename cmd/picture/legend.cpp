@@ -11,27 +11,26 @@ namespace viewproj::cmd {
 namespace {
 
 struct SymbolRow {
-  Symbol symbol;
   const char* text;
   const char* elements;  ///< 20 wide, their middle at (10, 0)
 };
 
 // clang-format off
 constexpr SymbolRow kSymbols[] = {
-    {Symbol::point, "point", R"(<circle class="dot" cx="10" r="4.5"/>)"},
-    {Symbol::hiddenPoint, "point not seen", R"(<circle class="dot hollow" cx="10" r="4.5"/>)"},
-    {Symbol::hiddenLine, "hidden", R"(<path class="edge hid" d="M0,0h19"/>)"},
-    {Symbol::ghost, "without the lens", R"(<path class="ghost" d="M0,0h19"/>)"},
-    {Symbol::cross, "pixel: first hit, distance", R"(<path class="cross" d="M2,0h16M10,-8v16"/>)"},
-    {Symbol::normal, "normal", R"(<path class="normal" d="M0,0h12"/><path class="normal head" d="M19,0l-8,-3.4v6.8Z"/>)"},
-    {Symbol::pairPixel, "pixel of the record", R"(<path class="cross" d="M4,-6l12,12m0,-12l-12,12"/>)"},
-    {Symbol::miss, "from the record's pixel to the computed one", R"(<path class="miss" d="M0,0h12"/><path class="miss head" d="M19,0l-8,-3.4v6.8Z"/>)"},
-    {Symbol::outside, "outside", R"(<path class="out" d="M15,0l-9,-6v12Z"/>)"},
-    {Symbol::behind, "behind: turn that way", R"(<path class="out hollow" d="M15,0l-9,-6v12Z"/>)"},
-    {Symbol::area, "outline on the ground", R"(<rect class="area" x="1" y="-5" width="17" height="11"/><rect class="rim" x="1" y="-5" width="17" height="11"/>)"},
-    {Symbol::stem, "down to the ground", R"(<path class="stem" d="M0,0h19"/>)"},
-    {Symbol::grid, "grid", R"(<path class="grid g1" d="M0,0h19"/>)"},
-    {Symbol::horizon, "horizon", R"(<path class="horizon" d="M0,0h19"/>)"},
+    {"point", R"(<circle class="dot" cx="10" r="4.5"/>)"},
+    {"point not seen", R"(<circle class="dot hollow" cx="10" r="4.5"/>)"},
+    {"hidden", R"(<path class="edge hid" d="M0,0h19"/>)"},
+    {"without the lens", R"(<path class="ghost" d="M0,0h19"/>)"},
+    {"pixel: first hit, distance", R"(<path class="cross" d="M2,0h16M10,-8v16"/>)"},
+    {"normal", R"(<path class="normal" d="M0,0h12"/><path class="normal head" d="M19,0l-8,-3.4v6.8Z"/>)"},
+    {"pixel of the record", R"(<path class="cross" d="M4,-6l12,12m0,-12l-12,12"/>)"},
+    {"from the record's pixel to the computed one", R"(<path class="miss" d="M0,0h12"/><path class="miss head" d="M19,0l-8,-3.4v6.8Z"/>)"},
+    {"outside", R"(<path class="out" d="M15,0l-9,-6v12Z"/>)"},
+    {"behind: turn that way", R"(<path class="out hollow" d="M15,0l-9,-6v12Z"/>)"},
+    {"outline on the ground", R"(<rect class="area" x="1" y="-5" width="17" height="11"/><rect class="rim" x="1" y="-5" width="17" height="11"/>)"},
+    {"down to the ground", R"(<path class="stem" d="M0,0h19"/>)"},
+    {"grid", R"(<path class="grid g1" d="M0,0h19"/>)"},
+    {"horizon", R"(<path class="horizon" d="M0,0h19"/>)"},
 };
 // clang-format on
 
@@ -134,7 +133,7 @@ void drawLegend(const Drawing& drawing) {
   rows.next();
   const auto& symbols = drawing.sheet.symbols();
   for (const SymbolRow& row : kSymbols)
-    if (const auto found = symbols.find(row.symbol); found != symbols.end())
+    if (const auto found = symbols.find(row.text); found != symbols.end())
       rows.add(found->second.empty() ? row.text : found->second, row.elements);
   for (const std::string& note : drawing.notes) {
     rows.next();

@@ -59,7 +59,7 @@ void drawPoint(Drawing& drawing, const NamedPoint& point) {
     isHollow = true;
   }
   drawing.sheet.addDot(*at, kOfDot, isHollow);
-  drawing.sheet.explain(isHollow ? Symbol::hiddenPoint : Symbol::point);
+  drawing.sheet.explain(isHollow ? "point not seen" : "point");
   nameMark(drawing, {point.name, kOfPoint, rankPoint, isHollow, note}, *at, kBesideDot);
 }
 
@@ -72,10 +72,10 @@ void drawPixel(Drawing& drawing, const Vec2& pixel) {
     return;
   }
   drawing.sheet.addCross(at, kOfPixelMark, true);
-  drawing.sheet.explain(Symbol::cross, view.shapes().empty() ? "pixel" : "");
+  drawing.sheet.explain("pixel: first hit, distance", view.shapes().empty() ? "pixel" : "");
   if (hit.normalEnd) {
     drawing.sheet.addArrow(at, *hit.normalEnd, "normal");
-    drawing.sheet.explain(Symbol::normal);
+    drawing.sheet.explain("normal");
   }
   nameMark(drawing, {hit.text, kOfCross, rankPixel}, at, kOfPixelMark);
 }
@@ -109,7 +109,7 @@ void drawPairs(Drawing& drawing, const std::vector<NamedPoint>& points) {
   for (const Pair& pair : pairs) {
     if (zoom == 1 && holds(view.frame(), pair.from)) {
       sheet.addCross(pair.from, kOfPairMark, false);
-      sheet.explain(Symbol::pairPixel);
+      sheet.explain("pixel of the record");
       const SceneObject* const hit = view.shapeAt(pair.from);
       if (!view.shapes().empty())
         nameMark(drawing, {"hits " + (hit ? hit->id : "nothing"), kOfPixel, rankPixel}, pair.from, kOfPairMark);
@@ -121,7 +121,7 @@ void drawPairs(Drawing& drawing, const std::vector<NamedPoint>& points) {
     sheet.addArrow(pair.from, end, "miss");
     const std::string enlarged =
         "from the record's pixel to the computed one, " + formatDigits(zoom, 3) + " times as long";
-    sheet.explain(Symbol::miss, zoom > 1 ? enlarged : "");
+    sheet.explain("from the record's pixel to the computed one", zoom > 1 ? enlarged : "");
   }
   if (!pairs.empty()) {
     const auto pixels = [&](double units) { return formatDigits(units / view.scale(), 3) + " px"; };
@@ -166,7 +166,7 @@ void drawOutside(Drawing& drawing) {
       isDrawn = true;
       sheet.addLine(Layer::marks, each.isBehind ? "out hollow" : "out", {at, left, right}, true);
       sheet.labels.addMark(box);
-      sheet.explain(each.isBehind ? Symbol::behind : Symbol::outside);
+      sheet.explain(each.isBehind ? "behind: turn that way" : "outside");
       nameMark(drawing, {each.name, kOfOutside, rankOutside}, middleOf(box), kOfTriangle);
     }
     more += isDrawn ? 0 : 1;

@@ -32,7 +32,7 @@ Pieces drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b, const char
       if (piece.isHidden) continue;
       sheet.addLine(Layer::lines, "ghost", piece.line);
       sheet.labels.addInk(piece.line, kOfGhost);
-      sheet.explain(Symbol::ghost);
+      sheet.explain("without the lens");
     }
   Pieces pieces = piecesOf(drawing.view, a, b);
   sheet.addPieces(pieces, style, 1);
@@ -251,7 +251,7 @@ void drawArea(Drawing& drawing, const NamedArea& area) {
   drawing.sheet.addPieces(outline, "rim", 1);
   const auto points = pointsOf(outline), loop = loopOf(outline);
   drawing.sheet.addFilled(Layer::areas, "area", loop.empty() ? hull(points) : loop);
-  drawing.sheet.explain(Symbol::area);
+  drawing.sheet.explain("outline on the ground");
   if (!isNamed(drawing, area.name)) return;
   const Vec2 middle = middleOf(boundsOf(points));
   Label label{area.name, kOfShape, rankShape};

@@ -76,7 +76,7 @@ void Sheet::addPieces(const Pieces& pieces, const std::string& style, double wei
     if (hasPhoto) addLine(Layer::halo, "halo", piece.line);
     addLine(Layer::lines, style + (piece.isHidden ? " hid" : ""), piece.line);
     labels.addInk(piece.line, weight * (piece.isHidden ? kOfHidden : 1));
-    if (piece.isHidden) explain(Symbol::hiddenLine);
+    if (piece.isHidden) explain("hidden");
   }
 }
 
@@ -119,7 +119,7 @@ void Sheet::addArrow(const Vec2& from, const Vec2& to, const std::string& style)
   labels.addInk({from, to}, kInk);
 }
 
-void Sheet::explain(Symbol symbol, const std::string& text) {
+void Sheet::explain(const std::string& symbol, const std::string& text) {
   std::string& known = symbols_[symbol];
   if (known.find(text) == std::string::npos) known += (known.empty() ? "" : "; ") + text;
 }

@@ -21,13 +21,6 @@ inline constexpr TextStyle kTitle{"title", 17, true}, kOfLegend{"leg", 12}, kOfT
     kOfAzimuth{"azimuth", 12}, kOfPoint{"of-dot", 14, true}, kOfCross{"of-cross", 14, true}, kOfShape{"of-shape", 14},
     kOfOutside{"of-out", 13}, kOfPixel{"of-pixel", 13};
 
-/// In the order of the legend.
-// clang-format off
-enum class Symbol {
-  point, hiddenPoint, hiddenLine, ghost, cross, normal, pairPixel, miss, outside, behind, area, stem, grid, horizon
-};
-// clang-format on
-
 class Sheet {
  public:
   Sheet(const Rect& picture, bool isOnPhoto) : labels(picture), frame(picture), hasPhoto(isOnPhoto) {}
@@ -52,9 +45,9 @@ class Sheet {
   void addCross(const Vec2& at, double size, bool isUpright);
   void addArrow(const Vec2& from, const Vec2& to, const std::string& style);
 
-  /// Adds a symbol to the legend. text: in place of its usual one; several are joined.
-  void explain(Symbol symbol, const std::string& text = "");
-  const std::map<Symbol, std::string>& symbols() const { return symbols_; }
+  /// Adds a symbol to the legend, by its usual text. text: in its place; several are joined.
+  void explain(const std::string& symbol, const std::string& text = "");
+  const std::map<std::string, std::string>& symbols() const { return symbols_; }
 
   /// Writes the names where there is room for them. Returns how many have none.
   std::size_t addNames();
@@ -69,7 +62,7 @@ class Sheet {
   void addName(const Label& label);
 
   std::array<Elements, kLayers> layers_;
-  std::map<Symbol, std::string> symbols_;
+  std::map<std::string, std::string> symbols_;
   Vec2 end_;  ///< of the texts, to the right and below
 };
 

@@ -41,12 +41,11 @@ Circle circleAround(const View& view, const Vec3& axis, double angle) {
   return circle;
 }
 
-/// A sphere around a shape; nothing of one without end.
-std::optional<Sphere> sphereAround(const SceneObject& shape) {
+/// A sphere around a shape.
+Sphere sphereAround(const SceneObject& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) return *sphere;
   const std::vector<Vec3> corners = cornersOf(shape);
-  if (corners.empty()) return std::nullopt;
-  Sphere sphere{middleOf(corners), 0};
+  Sphere sphere{middleOf(corners), corners.empty() ? HUGE_VAL : 0};
   for (const Vec3& corner : corners) sphere.radius = std::max(sphere.radius, apart(corner, sphere.center));
   return sphere;
 }
@@ -61,15 +60,13 @@ View::View(const Camera& camera, std::vector<SceneObject> shapes, bool worldIsEc
       eye_(camera.pose().eye()),
       first_(pictureCorners(camera.viewport()).first),
       reach_(reachOf(camera)),
-      frustum_(viewFrustum(pinhole_)),
-      candidates_({}) {
+      frustum_(viewFrustum(pinhole_)) {
   constexpr double kLonger = 960, kLeft = 46, kHead = 58, kHeadWithoutTicks = 40;
   const double width = camera.viewport().width, height = camera.viewport().height;
   const double top = isFromTop() ? kHead : kHeadWithoutTicks;
   scale_ = kLonger / std::max(width, height);
   frame_ = {kLeft, top, kLeft + width * scale_, top + height * scale_};
-  candidates_ = Cells<std::size_t>(frame_);
-  for (std::size_t i = 0; i < shapes_.size(); ++i) candidates_.add(boundsOf(shapes_[i]), i);
+  for (const SceneObject& shape : shapes_) around_.push_back(sphereAround(shape));
 }
 
 Vec2 View::onSheet(const Vec2& screen) const {
@@ -99,12 +96,13 @@ Ray View::rayAt(const Vec2& at) const {
   return screenToRay(camera_, offSheet(at), Precision::standard, RayOrigin::nearPlane);
 }
 
-template <class Use>
-bool View::anyHitAt(const Vec2& at, const Ray& ray, Use use) const {
-  return candidates_.any(around(at, 0, 0), [&](std::size_t i) {
-    const Hits hits = hitsOf(ray, shapes_[i]);
-    return hits.count > 0 && use(shapes_[i], hits.hits[0].distance);
-  });
+double View::distanceTo(std::size_t shape, const Ray& ray) const {
+  constexpr double kMore = 1e-9;
+  const auto& [center, radius] = around_[shape];
+  const Vec3 way = sum(center, -1, ray.origin), aside = crossOf(way, ray.direction);
+  if (dot(aside, aside) > radius * radius * (1 + kMore) + kMore * kMore * dot(way, way)) return HUGE_VAL;
+  const Hits hits = hitsOf(ray, shapes_[shape]);
+  return hits.count > 0 ? hits.hits[0].distance : HUGE_VAL;
 }
 
 bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) const {
@@ -112,8 +110,9 @@ bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) c
   if (worldIsEcef_ && earthHides(point)) return true;
   const Ray ray = rayAt(at);
   const double away = apart(point, ray.origin) * kNearer;
-  return anyHitAt(at, ray,
-                  [&](const SceneObject& shape, double distance) { return &shape != except && distance < away; });
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    if (&shapes_[i] != except && distanceTo(i, ray) < away) return true;
+  return false;
 }
 
 /// Whether the way from the eye crosses the ellipsoid; below it, the surface a metre below the lower end.
@@ -127,31 +126,12 @@ bool View::earthHides(const Vec3& point) const {
 }
 
 const SceneObject* View::shapeAt(const Vec2& at) const {
+  const Ray ray = rayAt(at);
   const SceneObject* nearest = nullptr;
   double least = HUGE_VAL;
-  anyHitAt(at, rayAt(at), [&](const SceneObject& shape, double distance) {
-    if (distance < least) least = distance, nearest = &shape;
-    return false;
-  });
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    if (const double away = distanceTo(i, ray); away < least) least = away, nearest = &shapes_[i];
   return nearest;
-}
-
-Rect View::boundsOf(const SceneObject& shape) const {
-  constexpr int kSamples = 24;
-  constexpr double kMore = 0.02;  // of the size: a polygon of 24 corners lies within its circle by 0.9 %
-  const Rect everywhere{-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  const auto sphere = sphereAround(shape);
-  auto outline = sphere ? outlineOf(*this, *sphere) : std::nullopt;
-  if (!outline) return everywhere;
-  outline->turns = 0.5;
-  std::vector<Vec2> places;
-  for (int i = 0; i < kSamples; ++i) {
-    const auto at = pixelOf((*outline)(i / double(kSamples)));
-    if (!at) return everywhere;
-    places.push_back(*at);
-  }
-  const Rect box = cmd::boundsOf(places);
-  return grown(box, 2 + kMore * largerSide(box));
 }
 
 std::vector<Vec3> cornersOf(const SceneObject& shape) {

@@ -59,11 +59,9 @@ class View {
   const Frustum& frustum() const { return frustum_; }
 
  private:
-  /// The shapes that may be seen there, until use(shape, the ray's hits) is true.
-  template <class Use>
-  bool anyHitAt(const Vec2& at, const Ray& ray, Use use) const;
-  Rect boundsOf(const SceneObject& shape) const;
   bool earthHides(const Vec3& point) const;
+  /// Where a ray first hits a shape; infinite where it does not.
+  double distanceTo(std::size_t shape, const Ray& ray) const;
 
   Camera camera_, pinhole_;
   std::vector<SceneObject> shapes_;
@@ -73,7 +71,7 @@ class View {
   double scale_, reach_;
   Rect frame_;
   Frustum frustum_;
-  Cells<std::size_t> candidates_;
+  std::vector<Sphere> around_;  ///< the shapes; infinite if they are
 };
 
 /// The corners of a box, in the order of the bits of x, y and z, or of a triangle; none of other shapes.
