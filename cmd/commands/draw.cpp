@@ -9,7 +9,6 @@
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "picture/ground.hpp"
-#include "picture/photo.hpp"
 #include "picture/picture.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"

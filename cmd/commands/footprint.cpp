@@ -13,6 +13,7 @@
 #include "output/output_file.hpp"
 #include "output/report.hpp"
 #include "records/arguments.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
@@ -115,28 +116,23 @@ OrderedJson reportOf(const Footprint& f) {
 }
 
 /// A row a vertex, or one without a place.
-OrderedJson rowsOf(const Footprint& f) {
-  OrderedJson rows = OrderedJson::array();
-  const auto add = [&](const OrderedJson& vertex, const Vec3& point, const std::optional<Vec2>& pixel,
-                       const OrderedJson& ring) {
-    OrderedJson row{{"name", f.name}, {"vertex", vertex}};
-    row.update(f.placeOf(point));
-    row.update({{"pixel_x", pixel ? pixel->x : NAN}, {"pixel_y", pixel ? pixel->y : NAN}, {"ring", ring}});
-    rows.push_back(row);
+std::string csvRows(const Footprint& f, int digits) {
+  const std::string name = f.name.is_string() ? quotedIfNeeded(f.name.get<std::string>()) : "";
+  const auto cell = [&](double number) {
+    return "," + (std::isfinite(number) ? formatNumber(toDigits(number, digits)) : "");
   };
+  std::string rows;
   std::size_t number = 0;
   for (const OutlineRing& ring : f.outline.rings) {
+    const std::string last = "," + (ring.isHole ? "hole" : std::to_string(number++)) + "\n";
     std::size_t vertex = 0;
-    for (const OutlineVertex& v : ring.vertices)
-      add(vertex++, v.point, v.pixel, ring.isHole ? OrderedJson("hole") : OrderedJson(number));
-    ++number;
+    for (const OutlineVertex& v : ring.vertices) {
+      rows += name + "," + std::to_string(vertex++);
+      for (const auto& each : f.placeOf(v.point)) rows += cell(each.get<double>());
+      rows += cell(v.pixel ? v.pixel->x : NAN) + cell(v.pixel ? v.pixel->y : NAN) + last;
+    }
   }
-  if (rows.empty()) {
-    add(nullptr, {}, {}, nullptr);
-    for (auto& [name, value] : rows[0].items())
-      if (name != "name") value = nullptr;
-  }
-  return rows;
+  return rows.empty() ? name + ",,,,,,,\n" : rows;
 }
 
 /// RFC 7946: longitude, latitude, height.
@@ -181,12 +177,12 @@ class FootprintWriter {
     } else if (form_ == FootprintForm::geojson) {
       text = (isFirst_ ? kHead : ",") + std::string("\n") + compactJson(featureOf(f), digits_);
     } else {
-      text = csvText(rowsOf(f), digits_);
-      const std::string head = text.substr(0, text.find('\n') + 1);
-      if (isFirst_) head_ = head;
-      if (head != head_)
+      const std::string head = "name,vertex," + std::string(f.heightOnEarth ? "lat,lon,height" : "x,y,z");
+      if (isFirst_) text = head + ",pixel_x,pixel_y,ring\n";
+      if (!isFirst_ && head != head_)
         throw InputError("a table has places on the Earth, or positions, and the first camera decides");
-      if (!isFirst_) text.erase(0, head.size());
+      head_ = head;
+      text += csvRows(f, digits_);
     }
     writeOutput(text);
     isFirst_ = false;

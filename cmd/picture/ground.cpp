@@ -43,12 +43,14 @@ class HeightGround final : public Ground {
 
   std::optional<Limit> farthest(double azimuth, double most) const override {
     if (std::fabs(rise) > most) return std::nullopt;
-    auto [elevation, t] = horizon(azimuth);
+    const double h = place_.height, touching = -std::acos(std::min(1.0, (kA + hiding_) / (kA + h)));
+    auto [elevation, t] = sightOf(azimuth, {touching, 0}, hiding_, true);
     const Vec3 d = direction(azimuth, elevation);
     if (rise < 0) t = crossingsOfHeight({eye_, d}, height).distances[0];
     if (t <= most) return Limit{sum(eye_, t, d), elevation, t, "horizon"};
-    const double lower = elevationAt(azimuth, most);
-    return Limit{sum(eye_, most, direction(azimuth, lower)), lower, most, "distance"};
+    const double sine = (-rise * (2 * kA + height + h) - most * most) / (2 * (kA + h) * most);
+    const Sight at = sightOf(azimuth, {std::asin(std::clamp(sine, -1.0, 1.0)), most}, height, false);
+    return Limit{sum(eye_, most, direction(azimuth, at.elevation)), at.elevation, most, "distance"};
   }
 
   Vec2 placeOf(const Vec3& point) const override {
@@ -71,7 +73,6 @@ class HeightGround final : public Ground {
 
  private:
   static constexpr double kA = kWgs84.equatorial, kB = kWgs84.polar, kE2 = 1 - (kB / kA) * (kB / kA);
-  static constexpr int kSteps = 50;
 
   /// The integral of (M + H)(N + H) cos lat from the equator.
   double belowLat(double lat) const {
@@ -88,36 +89,26 @@ class HeightGround final : public Ground {
     const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
     return {place.height, localAxes(place).up};
   }
-  /// How the direction changes with the elevation.
-  Vec3 rising(double azimuth, double elevation) const { return direction(azimuth, elevation + std::numbers::pi / 2); }
-  /// The elevation of the ray that touches what hides, and how far away: in turn the distance at which the ray is
-  /// lowest, as over a sphere, and by Newton's method the elevation at which it is as high as what hides.
-  std::pair<double, double> horizon(double azimuth) const {
-    double e = -std::acos(std::min(1.0, (kA + hiding_) / (kA + place_.height))), t = 0;
+  struct Sight {
+    double elevation, distance;
+  };
+  /// At an azimuth, the elevation at which the ray is as high as this, by Newton's method: at its distance, or, to
+  /// touch the surface, where it is lowest, which is found in turn as over a sphere.
+  Sight sightOf(double azimuth, Sight at, double wanted, bool touches) const {
+    constexpr int kSteps = 50;
     for (int i = 0; i < kSteps; ++i) {
-      const Vec3 d = direction(azimuth, e);
-      const Level before = levelAt(t, d);
-      const double lower = dot(before.normal, d) * (kA + before.height);
-      t -= lower;
-      const auto [above, normal] = levelAt(t, d);
-      const double step = (above - hiding_) / (t * dot(normal, rising(azimuth, e)));
-      e -= step;
-      if (std::fabs(step) < 1e-16 && std::fabs(lower) < 1e-6) break;
-    }
-    return {e, t};
-  }
-  /// The elevation of the surface's points at a distance.
-  double elevationAt(double azimuth, double distance) const {
-    const double h = place_.height, lowered = -rise * (2 * kA + height + h) - distance * distance;
-    double e = std::asin(std::clamp(lowered / (2 * (kA + h) * distance), -1.0, 1.0));
-    for (int i = 0; i < kSteps; ++i) {
-      const auto [above, normal] = levelAt(distance, direction(azimuth, e));
-      const double step = (above - height) / (distance * dot(normal, rising(azimuth, e)));
+      const Vec3 d = direction(azimuth, at.elevation);
+      const Level before = levelAt(at.distance, d);
+      const double nearer = touches ? dot(before.normal, d) * (kA + before.height) : 0;
+      at.distance -= nearer;
+      const auto [above, normal] = touches ? levelAt(at.distance, d) : before;
+      const Vec3 rising = direction(azimuth, at.elevation + std::numbers::pi / 2);
+      const double step = (above - wanted) / (at.distance * dot(normal, rising));
       if (!std::isfinite(step)) break;
-      e -= std::clamp(step, -0.2, 0.2);
-      if (std::fabs(step) < 1e-15) break;
+      at.elevation -= std::clamp(step, -0.2, 0.2);
+      if (std::fabs(step) < 1e-16 && std::fabs(nearer) < 1e-6) break;
     }
-    return e;
+    return at;
   }
 
   Vec3 eye_;

@@ -1,6 +1,6 @@
 #include "picture/rim.hpp"
 
-#include <cmath>
+#include "picture/flat.hpp"
 
 namespace viewproj::cmd {
 
@@ -19,9 +19,6 @@ Vec2 Rim::corner(int which, double in) const {
 
 Rim::Place Rim::at(double s) const {
   constexpr int kHalvings = 50;
-  const auto between = [](const Vec2& a, const Vec2& b, double t) {
-    return Vec2{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-  };
   const auto rayAt = [&](const Vec2& pixel) { return screenToRay(camera_, pixel); };
   const auto isRay = [](const Ray& ray) { return std::isfinite(ray.direction.x); };
   const int side = static_cast<int>(s);
