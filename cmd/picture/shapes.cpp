@@ -25,7 +25,7 @@ struct Face {
 void append(Pieces& all, const Pieces& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 /// Through a lens also as it is without.
-Pieces drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b, const char* style = "edge") {
+Pieces drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b) {
   Sheet& sheet = drawing.sheet;
   if (drawing.view.hasLens())
     for (const Piece& piece : piecesOf(drawing.view, a, b, {Extent::withoutLens})) {
@@ -35,7 +35,7 @@ Pieces drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b, const char
       sheet.explain("without the lens");
     }
   Pieces pieces = piecesOf(drawing.view, a, b);
-  sheet.addPieces(pieces, style, 1);
+  sheet.addPieces(pieces, "edge", 1);
   return pieces;
 }
 
