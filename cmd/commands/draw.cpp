@@ -8,7 +8,7 @@
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "picture/photo.hpp"
+#include "picture/ground.hpp"
 #include "picture/picture.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
@@ -209,11 +209,7 @@ int runDraw(const DrawOptions& o) {
                          .shapes = shapesOf(o, file.worldIsEcef),
                          .pixels = o.pixels,
                          .hasStems = o.hasStems};
-  const bool hasGround = std::any_of(content.shapes.begin(), content.shapes.end(), [](const SceneObject& each) {
-    return std::holds_alternative<Plane>(each.shape) || std::holds_alternative<Ellipsoid>(each.shape) ||
-           std::holds_alternative<HeightSurface>(each.shape);
-  });
-  if (o.hasStems && !hasGround)
+  if (o.hasStems && std::none_of(content.shapes.begin(), content.shapes.end(), isGround))
     throw UsageError("--stems needs a ground: --height H, or a plane or an ellipsoid in --scene");
   if (o.photo) content.photo = photoUrl(*o.photo, *file.viewport);
   const int status = reads ? PictureRecords(o, file, content).read(setup) : 0;

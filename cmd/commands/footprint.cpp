@@ -2,21 +2,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "camera/plain_vectors.hpp"
 #include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/geojson.hpp"
 #include "commands/outline.hpp"
+#include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
+#include "output/report.hpp"
 #include "records/arguments.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/json_text.hpp"
 #include "text/number.hpp"
-#include "text/system.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
@@ -30,37 +30,29 @@ struct FootprintOptions {
   std::optional<PlaneEquation> plane;
   FootprintForm form = FootprintForm::table;
   std::optional<std::size_t> digits;
-
-  int digitsOf() const {
-    constexpr std::size_t kOfTable = 9;
-    return static_cast<int>(digits.value_or(form == FootprintForm::table ? kOfTable : 0));
-  }
 };
 
 /// A camera's outline, and what its numbers are of.
 struct Footprint {
-  OrderedJson name;
-  bool isOnEarth;
-  std::optional<double> height;
-  PlaneEquation plane;
+  OrderedJson name, surface;
+  std::optional<double> heightOnEarth;
   Vec3 eye;
   Outline outline;
 
   /// lat, lon and height, or x, y and z.
   OrderedJson placeOf(const Vec3& point) const {
-    if (!isOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
+    if (!heightOnEarth) return {{"x", point.x}, {"y", point.y}, {"z", point.z}};
     const Geodetic place = ecefToGeodetic(point);
-    OrderedJson heights{{"lat", place.lat}, {"lon", place.lon}, {"height", *height}};
-    if (hasGeoid()) heights["altitude"] = *height - seaLevelAt(place.lat, place.lon);
+    OrderedJson heights{{"lat", place.lat}, {"lon", place.lon}, {"height", *heightOnEarth}};
+    if (hasGeoid()) heights["altitude"] = *heightOnEarth - seaLevelAt(place.lat, place.lon);
     return heights;
   }
-  OrderedJson surface() const {
-    if (height) return {{"height", *height}};
-    const Vec3& n = plane.normal;
-    const double k = -plane.offset / (n.x * n.x + n.y * n.y + n.z * n.z);
-    return {{"plane", {{"point", {k * n.x + 0.0, k * n.y + 0.0, k * n.z + 0.0}}, {"normal", asJson(n)}}}};
-  }
 };
+
+OrderedJson pointAndNormal(const PlaneEquation& plane) {
+  const Vec3& n = plane.normal;
+  return {{"point", asJson(scaled(n, -plane.offset / detail::dot(n, n)))}, {"normal", asJson(n)}};
+}
 
 /// The plane z = H in a local world.
 Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const std::string& name) {
@@ -78,88 +70,90 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
   if (!file.worldIsEcef && o.form == FootprintForm::geojson)
     file.fail("GeoJSON has longitudes and latitudes only, and the camera of " + file.name + " is not on the Earth");
   const PlaneEquation plane = o.plane.value_or(PlaneEquation{{0, 0, 1}, -o.height.value_or(0)});
-  const auto ground =
-      file.worldIsEcef ? groundOfHeight(*o.height, eye) : groundOfPlane(plane.normal, plane.offset, eye);
-  const double most = o.most.value_or(std::numeric_limits<double>::infinity());
-  return {name.empty() ? OrderedJson() : OrderedJson(name),     file.worldIsEcef, o.height, plane, eye,
-          outlineOf(camera, *ground, most, o.error.value_or(0))};
+  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{*o.height}}, eye) : groundOf({"", plane}, eye);
+  if (ground->holdsEye)
+    throw InputError("the eye is on the " +
+                     (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
+                     "; no outline has a size there");
+  if (ground->rise < 0)
+    note("the eye is below --height " + formatNumber(*o.height) + ": the ground is seen from below");
+  return {name.empty() ? OrderedJson() : OrderedJson(name),
+          o.height ? OrderedJson{{"height", *o.height}} : OrderedJson{{"plane", pointAndNormal(plane)}},
+          file.worldIsEcef ? o.height : std::nullopt, eye,
+          outlineOf(camera, *ground, o.most.value_or(HUGE_VAL), o.error.value_or(0))};
 }
 
 OrderedJson samplingOf(const GroundSampling& gsd) { return gsd ? OrderedJson(*gsd) : OrderedJson(); }
 
-OrderedJson polygonOf(const Footprint& f, const OutlineRing& ring) {
-  OrderedJson polygon = OrderedJson::array();
-  for (const OutlineVertex& v : ring.vertices) {
-    polygon.push_back(f.placeOf(v.point));
-    polygon.back()["pixel"] = v.pixel ? asJson(*v.pixel) : OrderedJson();
-  }
-  return polygon;
-}
-
 OrderedJson reportOf(const Footprint& f) {
   const Outline& outline = f.outline;
-  OrderedJson report{{"name", f.name}, {"surface", f.surface()}, {"cut", outline.cut}, {"center", nullptr}};
+  OrderedJson corners = OrderedJson::array(), polygons = OrderedJson::array(), holes = OrderedJson::array();
+  for (const GroundSampling& gsd : outline.cornerGsd) corners.push_back(samplingOf(gsd));
+  OrderedJson report{{"name", f.name},
+                     {"surface", f.surface},
+                     {"cut", outline.cut},
+                     {"center", nullptr},
+                     {"gsd", {{"center", samplingOf(outline.gsd)}, {"corners", corners}}},
+                     {"area", outline.area},
+                     {"error", outline.rings.empty() ? OrderedJson() : OrderedJson(outline.error)},
+                     {"polygon", nullptr}};
   if (outline.center) {
     report["center"] = f.placeOf(outline.center->point);
     report["center"]["distance"] = outline.center->distance;
   }
-  OrderedJson corners = OrderedJson::array();
-  for (const GroundSampling& gsd : outline.cornerGsd) corners.push_back(samplingOf(gsd));
-  report["gsd"] = {{"center", samplingOf(outline.gsd)}, {"corners", corners}};
-  report["area"] = outline.area;
-  report["error"] = outline.rings.empty() ? OrderedJson() : OrderedJson(outline.error);
-  report["polygon"] = nullptr;
-  OrderedJson polygons = OrderedJson::array(), holes = OrderedJson::array();
   double largest = 0;
   for (const OutlineRing& ring : outline.rings) {
-    (ring.isHole ? holes : polygons).push_back(polygonOf(f, ring));
+    OrderedJson polygon = OrderedJson::array();
+    for (const OutlineVertex& v : ring.vertices) {
+      polygon.push_back(f.placeOf(v.point));
+      polygon.back()["pixel"] = v.pixel ? asJson(*v.pixel) : OrderedJson();
+    }
+    (ring.isHole ? holes : polygons).push_back(polygon);
     if (ring.isHole || ring.area < largest) continue;
     largest = ring.area;
-    report["polygon"] = polygons.back();
+    report["polygon"] = polygon;
   }
-  if (polygons.size() > 1) report["polygons"] = std::move(polygons);
-  if (!holes.empty()) report["holes"] = std::move(holes);
+  if (polygons.size() > 1) report["polygons"] = polygons;
+  if (!holes.empty()) report["holes"] = holes;
   return report;
 }
 
 /// A row a vertex, or one without a place.
 std::string csvRows(const Footprint& f, int digits) {
   const std::string name = f.name.is_string() ? quotedIfNeeded(f.name.get<std::string>()) : "";
-  if (f.outline.rings.empty()) return name + (hasGeoid() && f.isOnEarth ? ",,,,,,,,\n" : ",,,,,,,\n");
+  const auto cell = [&](double number) {
+    return "," + (std::isfinite(number) ? formatNumber(toDigits(number, digits)) : "");
+  };
   std::string rows;
-  for (std::size_t ring = 0; ring < f.outline.rings.size(); ++ring) {
-    const OutlineRing& each = f.outline.rings[ring];
-    std::size_t index = 0;
-    for (const OutlineVertex& v : each.vertices) {
-      rows += name + "," + std::to_string(index++);
-      for (const auto& number : f.placeOf(v.point)) rows += "," + formatNumber(toDigits(number.get<double>(), digits));
-      for (const double Vec2::*part : {&Vec2::x, &Vec2::y})
-        rows += "," + (v.pixel ? formatNumber(toDigits((*v.pixel).*part, digits)) : "");
-      rows += "," + (each.isHole ? "hole" : std::to_string(ring)) + "\n";
+  std::size_t number = 0;
+  for (const OutlineRing& ring : f.outline.rings) {
+    const std::string last = "," + (ring.isHole ? "hole" : std::to_string(number++)) + "\n";
+    std::size_t vertex = 0;
+    for (const OutlineVertex& v : ring.vertices) {
+      rows += name + "," + std::to_string(vertex++);
+      for (const auto& each : f.placeOf(v.point)) rows += cell(each.get<double>());
+      rows += cell(v.pixel ? v.pixel->x : NAN) + cell(v.pixel ? v.pixel->y : NAN) + last;
     }
   }
-  return rows;
+  return rows.empty() ? name + (hasGeoid() && f.heightOnEarth ? ",,,,,,,,\n" : ",,,,,,,\n") : rows;
 }
 
 /// RFC 7946: longitude, latitude, height.
 OrderedJson featureOf(const Footprint& f) {
   const Outline& outline = f.outline;
   OrderedJson polygons = OrderedJson::array();
-  const double pole = std::copysign(90, ecefToGeodetic(f.eye).lat);
   for (const OutlineRing& ring : outline.rings) {
     MapRing places;
     for (const OutlineVertex& v : ring.vertices) places.push_back(v.place);
-    std::vector<MapRing> parts = mapRings(places, pole);
+    std::vector<MapRing> parts = mapRings(places, std::copysign(90, ecefToGeodetic(f.eye).lat));
     if (ring.isHole && (parts.size() > 1 || polygons.size() > 1))
       throw InputError("the outline has a hole, and passes the antimeridian, which GeoJSON is not written for");
     for (MapRing& part : parts) {
       if (ring.isHole) std::reverse(part.begin(), part.end());
       OrderedJson line = OrderedJson::array();
-      for (const Vec2& place : part) line.push_back({place.x, place.y, *f.height});
-      if (ring.isHole)
-        polygons.back().push_back(std::move(line));
-      else
-        polygons.push_back(OrderedJson::array({std::move(line)}));
+      for (const Vec2& place : part) line.push_back({place.x, place.y, *f.heightOnEarth});
+      if (!ring.isHole) polygons.push_back(OrderedJson::array());
+      polygons.back().push_back(std::move(line));
     }
   }
   OrderedJson geometry;
@@ -178,37 +172,44 @@ class FootprintWriter {
 
   /// Throws InputError for one that the form has no place for; then nothing is written.
   void write(const Footprint& f) {
+    std::string text;
     if (form_ == FootprintForm::table) {
-      writeOutput((isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_));
+      text = (isFirst_ ? "" : "\n") + tableText(reportOf(f), digits_);
     } else if (form_ == FootprintForm::json) {
-      writeOutput(compactJson(reportOf(f), digits_) + "\n");
+      text = compactJson(reportOf(f), digits_) + "\n";
     } else if (form_ == FootprintForm::geojson) {
-      const std::string feature = compactJson(featureOf(f), digits_);
-      writeOutput((isFirst_ ? kHead : std::string(",")) + "\n" + feature);
+      text = (isFirst_ ? kHead : ",") + std::string("\n") + compactJson(featureOf(f), digits_);
     } else {
-      if (!isFirst_ && f.isOnEarth != isOnEarth_)
+      const std::string head = "name,vertex," + std::string(!f.heightOnEarth ? "x,y,z"
+                                                            : hasGeoid()     ? "lat,lon,height,altitude"
+                                                                             : "lat,lon,height");
+      if (isFirst_) text = head + ",pixel_x,pixel_y,ring\n";
+      if (!isFirst_ && head != head_)
         throw InputError("a table has places on the Earth, or positions, and the first camera decides");
-      const std::string head = !f.isOnEarth ? "x,y,z" : hasGeoid() ? "lat,lon,height,altitude" : "lat,lon,height";
-      writeOutput((isFirst_ ? "name,vertex," + head + ",pixel_x,pixel_y,ring\n" : "") + csvRows(f, digits_));
+      head_ = head;
+      text += csvRows(f, digits_);
     }
+    writeOutput(text);
     isFirst_ = false;
-    isOnEarth_ = f.isOnEarth;
   }
   void end() const {
-    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + "\n]}\n");
+    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + std::string("\n]}\n"));
   }
 
  private:
-  static inline const std::string kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
+  static constexpr const char* kHead = "{\"type\": \"FeatureCollection\", \"features\": [";
   FootprintForm form_;
   int digits_;
-  bool isFirst_ = true, isOnEarth_ = false;
+  bool isFirst_ = true;
+  std::string head_;  ///< of CSV
 };
 
 /// A camera without an outline has a message instead.
 int runFootprint(const FootprintOptions& o) {
+  constexpr std::size_t kDigitsOfTable = 9;
   int status = 0;
-  FootprintWriter writer(o.form, o.digitsOf());
+  FootprintWriter writer(o.form,
+                         static_cast<int>(o.digits.value_or(o.form == FootprintForm::table ? kDigitsOfTable : 0)));
   for (const auto& [cameras, which] : o.camera.readFiles())
     for (const std::size_t i : which) {
       std::string place;

@@ -3,121 +3,79 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <optional>
 
 namespace viewproj::cmd {
 namespace {
 
 constexpr double kEdge = 180, kTurn = 360;
 
-Vec2 crossingOf(const Vec2& a, const Vec2& b, double lon) {
-  return {lon, a.y + (b.y - a.y) * (lon - a.x) / (b.x - a.x)};
+/// Where a line of the map passes an antimeridian: 180, 540, ...
+std::optional<Vec2> crossingOf(const Vec2& a, const Vec2& b) {
+  const double low = std::min(a.x, b.x), lon = kEdge + kTurn * std::ceil((low - kEdge) / kTurn);
+  if (!(lon < std::max(a.x, b.x))) return std::nullopt;
+  return Vec2{lon, a.y + (b.y - a.y) * (lon - a.x) / (b.x - a.x)};
 }
 
-/// The ring without jumps of longitude, and its first vertex again at the end.
-MapRing unwrapped(const MapRing& ring) {
+/// A ring without jumps of longitude. One round a pole begins where it first passes an antimeridian, and returns along
+/// the pole.
+MapRing unwrapped(const MapRing& ring, double pole) {
   MapRing line{ring.front()};
   for (std::size_t i = 1; i <= ring.size(); ++i) {
-    const Vec2& next = ring[i % ring.size()];
-    line.push_back({line.back().x + std::remainder(next.x - line.back().x, kTurn), next.y});
+    const Vec2& last = line.back();
+    line.push_back({last.x + std::remainder(ring[i % ring.size()].x - last.x, kTurn), ring[i % ring.size()].y});
   }
+  const double turn = kTurn * std::round((line.back().x - line.front().x) / kTurn);
+  for (std::size_t i = 0; turn != 0 && i + 1 < line.size(); ++i)
+    if (const auto start = crossingOf(line[i], line[i + 1])) {
+      line.pop_back();
+      for (std::size_t k = 0; k <= i; ++k) line[k].x += turn;
+      std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(i) + 1, line.end());
+      line.insert(line.begin(), *start);
+      line.insert(line.end(), {{start->x + turn, start->y}, {start->x + turn, pole}, {start->x, pole}});
+      return line;
+    }
+  line.pop_back();
   return line;
 }
 
-/// A line round a pole as a ring: from where it first passes the antimeridian once round, and back along the pole.
-MapRing closedAtPole(const MapRing& line, double turn, double pole) {
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 &a = line[i], &b = line[i + 1];
-    const double low = std::min(a.x, b.x), high = std::max(a.x, b.x);
-    const double lon = kEdge + kTurn * std::ceil((low - kEdge) / kTurn);
-    if (lon >= high) continue;
-    const Vec2 start = crossingOf(a, b, lon);
-    MapRing ring{start};
-    ring.insert(ring.end(), line.begin() + static_cast<std::ptrdiff_t>(i) + 1, line.end() - 1);
-    for (std::size_t k = 0; k <= i; ++k) ring.push_back({line[k].x + turn, line[k].y});
-    ring.insert(ring.end(), {{lon + turn, start.y}, {lon + turn, pole}, {lon, pole}});
-    return ring;
+/// Cut at the antimeridians that it passes. Of its crossings with one, in order of latitude, the first and second
+/// belong together, the third and fourth, and so on: between them it is inside.
+std::vector<MapRing> cutParts(const MapRing& ring) {
+  MapRing all;
+  std::vector<std::size_t> crossings;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    all.push_back(ring[i]);
+    const auto crossing = crossingOf(ring[i], ring[(i + 1) % ring.size()]);
+    if (!crossing) continue;
+    crossings.push_back(all.size());
+    all.push_back(*crossing);
   }
-  return line;
-}
-
-/// A part of a ring on one side of the antimeridian, from edge to edge.
-struct Chain {
-  MapRing points;
-  bool isBeyond;
-};
-
-std::vector<Chain> chainsOf(const MapRing& ring) {
-  const std::size_t n = ring.size();
-  const auto isBeyond = [&](std::size_t i) { return ring[i % n].x > kEdge; };
-  std::size_t first = 1;
-  while (isBeyond(first) == isBeyond(first - 1)) ++first;
-  std::vector<Chain> chains;
-  for (std::size_t i = first; i <= first + n; ++i) {
-    if (isBeyond(i) != isBeyond(i + n - 1)) {
-      const Vec2 crossing = crossingOf(ring[(i + n - 1) % n], ring[i % n], kEdge);
-      if (!chains.empty()) chains.back().points.push_back(crossing);
-      if (i < first + n) chains.push_back({{crossing}, isBeyond(i)});
+  if (crossings.empty()) return {ring};
+  std::stable_sort(crossings.begin(), crossings.end(), [&](std::size_t a, std::size_t b) {
+    return all[a].x != all[b].x ? all[a].x < all[b].x : all[a].y < all[b].y;
+  });
+  std::vector<std::size_t> partner(all.size(), all.size());
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+    partner[crossings[k]] = crossings[k + 1];
+    partner[crossings[k + 1]] = crossings[k];
+  }
+  std::vector<MapRing> parts;
+  std::vector<bool> isUsed(all.size());
+  for (const std::size_t start : crossings) {
+    MapRing part;
+    for (std::size_t i = start; !isUsed[i]; i = partner[i]) {
+      isUsed[i] = true;
+      part.push_back(all[i]);
+      do part.push_back(all[i = (i + 1) % all.size()]);
+      while (partner[i] == all.size());
     }
-    if (i < first + n) chains.back().points.push_back(ring[i % n]);
+    if (!part.empty()) parts.push_back(std::move(part));
   }
-  return chains;
+  return parts;
 }
 
-/// The chains of one side as rings: of their ends in order along the edge, the first and second belong together, the
-/// third and fourth, and so on.
-std::vector<MapRing> joined(const std::vector<Chain>& chains, bool beyond) {
-  struct End {
-    double lat;
-    std::size_t chain;
-  };
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < chains.size(); ++i)
-    if (chains[i].isBeyond == beyond)
-      for (const Vec2& end : {chains[i].points.front(), chains[i].points.back()}) ends.push_back({end.y, i});
-  std::vector<std::size_t> order(ends.size()), partner(ends.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return ends[a].lat < ends[b].lat; });
-  for (std::size_t i = 0; i + 1 < order.size(); i += 2) {
-    partner[order[i]] = order[i + 1];
-    partner[order[i + 1]] = order[i];
-  }
-  std::vector<MapRing> rings;
-  std::vector<bool> isUsed(ends.size());
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    if (isUsed[i]) continue;
-    rings.emplace_back();
-    for (std::size_t end = i; !isUsed[end];) {  // 2k and 2k + 1 are the ends of a chain
-      isUsed[end] = isUsed[end ^ 1U] = true;
-      const MapRing& points = chains[ends[end].chain].points;
-      if (end % 2 == 0)
-        rings.back().insert(rings.back().end(), points.begin(), points.end());
-      else
-        rings.back().insert(rings.back().end(), points.rbegin(), points.rend());
-      end = partner[end ^ 1U];
-    }
-  }
-  return rings;
-}
-
-void addParts(MapRing ring, std::vector<MapRing>& parts) {
-  const auto [low, high] =
-      std::minmax_element(ring.begin(), ring.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
-  const double shift = kTurn * std::floor((low->x + kEdge) / kTurn);
-  const bool passes = high->x - shift > kEdge;
-  for (Vec2& place : ring) place.x -= shift;
-  if (!passes) {
-    parts.push_back(std::move(ring));
-    return;
-  }
-  const std::vector<Chain> chains = chainsOf(ring);
-  for (MapRing& part : joined(chains, false)) parts.push_back(std::move(part));
-  for (MapRing& part : joined(chains, true)) {
-    for (Vec2& place : part) place.x -= kTurn;
-    addParts(std::move(part), parts);
-  }
-}
-
+/// Twice the area, above 0 if it runs anticlockwise.
 double turnedArea(const MapRing& ring) {
   double twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -130,15 +88,13 @@ double turnedArea(const MapRing& ring) {
 }  // namespace
 
 std::vector<MapRing> mapRings(const MapRing& ring, double pole) {
-  MapRing line = unwrapped(ring);
-  const double turn = kTurn * std::round((line.back().x - line.front().x) / kTurn);
-  if (turn != 0)
-    line = closedAtPole(line, turn, pole);
-  else
-    line.pop_back();
-  std::vector<MapRing> parts;
-  addParts(std::move(line), parts);
+  std::vector<MapRing> parts = cutParts(unwrapped(ring, pole));
+  std::erase_if(parts, [](const MapRing& part) { return turnedArea(part) == 0; });  // along an antimeridian
   for (MapRing& part : parts) {
+    const auto [low, high] =
+        std::minmax_element(part.begin(), part.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
+    const double shift = kTurn * std::round((low->x + high->x) / 2 / kTurn);
+    for (Vec2& place : part) place.x -= shift;
     if (turnedArea(part) < 0) std::reverse(part.begin(), part.end());
     part.push_back(part.front());
   }

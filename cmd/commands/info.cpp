@@ -209,12 +209,14 @@ OrderedJson horizonOf(const CameraFile& file, double height) {
   if (!file.pose) return nullptr;
   const Vec3 eye = file.pose->eye();
   if (!((file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z) > height)) return nullptr;
-  const auto ground = file.worldIsEcef ? groundOfHeight(height, eye) : groundOfPlane({0, 0, 1}, -height, eye);
-  const double heading = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef).heading.value;
-  const auto limit = ground->farthest(heading * std::numbers::pi / 180, std::numeric_limits<double>::infinity());
+  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{height}}, eye)
+                                       : groundOf({"", PlaneEquation{{0, 0, 1}, -height}}, eye);
+  const double degrees = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef).heading.value;
+  const double heading = degrees * std::numbers::pi / 180;
+  const auto limit = ground->farthest(heading, std::numeric_limits<double>::infinity());
   OrderedJson pixels = OrderedJson::array({nullptr, nullptr, nullptr});
   if (file.projection && file.viewport) {
-    const auto found = horizonPixels(makeCamera(file), *ground);
+    const auto found = horizonPixels(makeCamera(file), *ground, heading);
     for (std::size_t i = 0; i < found.size(); ++i)
       if (found[i]) pixels[i] = asJson(*found[i]);
   }

@@ -1,15 +1,14 @@
 #include "commands/outline.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <string_view>
 
 #include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
+#include "picture/rim.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -18,126 +17,78 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A part of the boundary: of the picture's edge, or of the horizon.
+/// A part of the boundary: of the picture's rim, of the horizon, or of what is as far as --max-distance.
 struct Curve {
   std::function<std::optional<OutlineVertex>(double)> at;
-  double from = 0, to = 0;
+  double from = 0, to = 1;
   OutlineVertex first = {}, last = {};
 };
 using Ring = std::vector<Curve>;
 
-/// A part of the picture's edge that sees the ground, or does not, and that is drawn in to the lens's end, or is not.
+/// Of a part of the rim.
+struct State {
+  bool sees = false, isDrawnIn = false;
+  friend bool operator==(const State&, const State&) = default;
+};
 struct Piece {
   double from, to;
-  bool sees, isDrawnIn;
+  State state;
 };
 
 class Tracer {
  public:
   Tracer(const Camera& camera, const Ground& ground, double most)
-      : camera_(camera), ground_(ground), most_(most), isFlat_(camera.projection().isOrthographic()) {
-    const auto [first, last] = pictureCorners(camera.viewport());
-    const bool fromTop = camera.viewport().origin == Origin::topLeft;
-    topLeft_ = {first.x, fromTop ? first.y : last.y};
-    bottomRight_ = {last.x, fromTop ? last.y : first.y};
-    center_ = {(first.x + last.x) / 2, (first.y + last.y) / 2};
-    const auto d = [&](double x, double y) { return screenToRay(camera, {center_.x + x, center_.y + y}).direction; };
-    const double down = fromTop ? 1 : -1;
-    isMirrored_ = detail::dot(detail::crossOf(d(0, 0), d(1, 0)), d(0, down)) < 0;
+      : camera_(camera), ground_(ground), rim_(camera), most_(most), isFlat_(camera.projection().isOrthographic()) {
+    const Pose pose = camera.pose();
+    const bool isMirrored = detail::dot(detail::crossOf(pose.right(), pose.up()), pose.forward()) > 0;
+    turning_ = ground.turning() * (isMirrored ? -1 : 1);
   }
 
-  std::array<std::optional<Vec2>, 3> horizonPixels() {
+  std::array<std::optional<Vec2>, 3> horizonPixels(double heading) {
+    if (isFlat_) return {};
     const auto [runs, areCut] = runsOf(pieces());
-    std::array<std::optional<Vec2>, 3> pixels;
-    double widest = 0;
-    for (std::size_t i = 0; areCut && i < runs.size(); ++i) {
-      const Link link = linkAfter(runs, i);
-      if (link.span <= widest) continue;
-      widest = link.span;
-      const auto middle = ground_.farthest(link.azimuth + turning() * link.span / 2, most_);
-      const ScreenPoint screen = middle ? worldToScreen(camera_, middle->point) : ScreenPoint{};
-      pixels = {edge(runs[i].back().to).pixel, std::nullopt, edge(runs[link.next].front().from).pixel};
-      if (middle && screen.status == PointStatus::inFront) pixels[1] = Vec2{screen.x, screen.y};
-      if (turning() < 0) std::swap(pixels[0], pixels[2]);
+    if (!areCut) {
+      if (!horizonIsInPicture(most_)) return {};
+      const std::optional<Vec2> behind = horizonPixel(heading + kPi);
+      return {behind, horizonPixel(heading), behind};
     }
-    return pixels;
+    Link widest;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (const Link link = linkAfter(runs, i); link.span > widest.span) widest = link, before = i;
+    const Vec2 enters = rim_.at(runs[before].back().to).pixel, leaves = rim_.at(runs[widest.next].front().from).pixel;
+    const std::optional<Vec2> middle = horizonPixel(widest.azimuth + turning_ * widest.span / 2);
+    if (turning_ < 0) return {leaves, middle, enters};
+    return {enters, middle, leaves};
   }
 
   Outline outline(double error) {
+    constexpr double kShare = 1e-3, kAreaShare = 1e-5;
     Outline out;
-    out.center = see(screenToRay(camera_, center_));
+    out.center = see(screenToRay(camera_, rim_.center()));
     const std::vector<Ring> rings = this->rings();
-    if (rings.empty()) {
-      seesBeyond_ = seesBeyond_ || horizonIsInPicture(std::numeric_limits<double>::infinity());
-      out.cut.emplace_back(seesBeyond_ ? "distance" : "sky");
-    } else {
-      double extent = 0;
-      for (const Ring& ring : rings) {
-        const Traced rough = trace(ring, std::numeric_limits<double>::max());
-        for (const OutlineVertex& v : rough.vertices) extent = std::max(extent, apart(v.point, ring[0].first.point));
-      }
-      constexpr double kShare = 1e-3, kAreaShare = 1e-5;
-      out.error = error > 0 ? error : extent * kShare;
-      for (std::size_t i = 0; i < rings.size(); ++i) {
-        OutlineRing ring{trace(rings[i], out.error).vertices, trace(rings[i], extent * kAreaShare).area,
-                         hasHole_ && i == 1};
-        out.area += ring.isHole ? -ring.area : ring.area;
-        out.rings.push_back(std::move(ring));
-      }
-      for (const char* kind : {"horizon", "distance", "lens"})
-        if (cut_.contains(kind)) out.cut.emplace_back(kind);
+    double extent = 0;
+    for (const Ring& ring : rings)
+      for (const OutlineVertex& v : trace(ring, HUGE_VAL).vertices)
+        extent = std::max(extent, apart(v.point, ring[0].first.point));
+    out.error = error > 0 ? error : extent * kShare;
+    for (const Ring& ring : rings) {
+      const bool isHole = hasHole_ && &ring == &rings.back();
+      const double area = trace(ring, extent * kAreaShare).area;
+      out.area += isHole ? -area : area;
+      out.rings.push_back({trace(ring, out.error).vertices, area, isHole});
     }
-    out.gsd = sampling(center_);
-    const double right = bottomRight_.x > topLeft_.x ? 0.5 : -0.5, down = bottomRight_.y > topLeft_.y ? 0.5 : -0.5;
-    const double x0 = topLeft_.x + right, y0 = topLeft_.y + down, x1 = bottomRight_.x - right,
-                 y1 = bottomRight_.y - down;
-    out.cornerGsd = {sampling({x0, y0}), sampling({x1, y0}), sampling({x1, y1}), sampling({x0, y1})};
+    for (const char* kind : {"horizon", "distance", "lens"})
+      if (cut_.contains(kind)) out.cut.emplace_back(kind);
+    if (rings.empty()) out.cut = {seesBeyond_ || horizonIsInPicture(HUGE_VAL) ? "distance" : "sky"};
+    out.gsd = sampling(rim_.center());
+    for (int i = 0; i < 4; ++i) out.cornerGsd[static_cast<std::size_t>(i)] = sampling(rim_.corner(i, 0.5));
     return out;
   }
 
  private:
-  struct Edge {
-    Vec2 pixel;
-    bool isDrawnIn;
-    Ray ray;
-  };
-  struct Traced {
-    double error = 0, sum = 0, turn = 0, area = 0;
-    std::vector<OutlineVertex> vertices = {};
-  };
-
-  static bool isRay(const Ray& ray) { return std::isfinite(ray.direction.x); }
-
-  /// The picture's outer edge, s from 0 to 4 clockwise from the top left corner; where the lens ends before, its end on
-  /// the way to the picture's centre.
-  Edge edge(double s) const {
-    s = std::fmod(s, 4);
-    const int side = static_cast<int>(s);
-    const double t = s - side,
-                 x = side == 0   ? t
-                     : side == 1 ? 1
-                     : side == 2 ? 1 - t
-                                 : 0,
-                 y = side == 0   ? 0
-                     : side == 1 ? t
-                     : side == 2 ? 1
-                                 : 1 - t;
-    const Vec2 pixel{x == 1 ? bottomRight_.x : topLeft_.x + x * (bottomRight_.x - topLeft_.x),
-                     y == 1 ? bottomRight_.y : topLeft_.y + y * (bottomRight_.y - topLeft_.y)};
-    if (const Ray ray = screenToRay(camera_, pixel); isRay(ray)) return {pixel, false, ray};
-    const auto at = [&](double k) {
-      return Vec2{center_.x + k * (pixel.x - center_.x), center_.y + k * (pixel.y - center_.y)};
-    };
-    double inside = 0, outside = 1;
-    for (int i = 0; i < 50; ++i) {
-      const double middle = (inside + outside) / 2;
-      (isRay(screenToRay(camera_, at(middle))) ? inside : outside) = middle;
-    }
-    return {at(inside), true, screenToRay(camera_, at(inside))};
-  }
-
   std::optional<Ground::Seen> see(const Ray& ray) {
-    if (!isRay(ray)) return std::nullopt;
+    if (!std::isfinite(ray.direction.x)) return std::nullopt;
     const std::optional<Ground::Seen> seen = ground_.hit(ray);
     if (!seen && isFlat_)
       throw InputError("a part of the orthographic picture lies behind the plane; move the eye back");
@@ -145,7 +96,7 @@ class Tracer {
     return seen && seen->distance <= most_ ? seen : std::nullopt;
   }
 
-  /// From the eye's own rays, so that far coordinates cost no digits.
+  /// Between what two pixels see, from the eye's own rays, so that far coordinates cost no digits.
   std::optional<double> between(const Vec2& a, const Vec2& b) {
     const Ray p = screenToRay(camera_, a), q = screenToRay(camera_, b);
     const auto first = see(p), last = see(q);
@@ -159,78 +110,67 @@ class Tracer {
     return across && down ? GroundSampling({*across, *down}) : std::nullopt;
   }
 
-  OutlineVertex vertex(const Vec3& point, std::optional<Vec2> pixel) const {
+  OutlineVertex vertex(const Vec3& point, const std::optional<Vec2>& pixel = {}) const {
     return {point, ground_.placeOf(point), pixel};
   }
-  std::optional<OutlineVertex> onEdge(double s) {
-    const Edge e = edge(s);
-    const auto seen = see(e.ray);
-    if (!seen) return std::nullopt;
-    return vertex(seen->point, e.isDrawnIn ? std::nullopt : std::optional(e.pixel));
-  }
-  std::optional<OutlineVertex> onLimit(double azimuth) {
-    const auto limit = ground_.farthest(azimuth, most_);
-    if (!limit) return std::nullopt;
-    if (!limit->cut) throw InputError("the picture reaches the horizon of the plane; --max-distance D cuts it there");
-    cut_.insert(limit->cut);
-    return vertex(limit->point, std::nullopt);
-  }
-
-  /// The pieces of the edge, clockwise from the top left corner. Between two probes a change of state is found to the
-  /// last bit; what is narrower than the probes are apart, and between them, may be missed.
-  std::vector<Piece> pieces() {
-    constexpr int kProbes = 64;  // of a side
-    using State = std::pair<bool, bool>;
-    const auto stateAt = [&](double s) {
-      const Edge e = edge(s);
-      return State{see(e.ray).has_value(), e.isDrawnIn};
-    };
-    std::vector<Piece> all;
-    State state = stateAt(0);
-    for (int k = 0; k < 4 * kProbes; ++k) {
-      double a = static_cast<double>(k) / kProbes;
-      const double end = static_cast<double>(k + 1) / kProbes;
-      if (k % kProbes == 0) all.push_back({a, a, state.first, state.second});
-      const State last = stateAt(end);
-      while (state != last) {
-        double b = end;
-        State after = last;
-        for (double m = a + (b - a) / 2; m > a && m < b; m = a + (b - a) / 2) {
-          const State middle = stateAt(m);
-          (middle == state ? a : b) = m;
-          if (middle != state) after = middle;
-        }
-        all.back().to = a;
-        all.push_back({b, b, after.first, after.second});
-        a = b;
-        state = after;
-      }
-      all.back().to = end;
-    }
-    return all;
-  }
-
-  double turning() const { return ground_.turning() * (isMirrored_ ? -1 : 1); }
-
-  /// The horizon from one azimuth, so far round.
-  Curve arc(double azimuth, double span) {
-    const double turn = turning() * span;
-    Curve curve{[this, azimuth, turn](double t) { return onLimit(azimuth + turn * t); }, 0, 1};
-    setEnds(curve);
-    return curve;
-  }
-  static void setEnds(Curve& curve) {
+  static Curve withEnds(Curve curve) {
     curve.first = curve.at(curve.from).value();
     curve.last = curve.at(curve.to).value();
+    return curve;
+  }
+  Curve alongRim(const Piece& piece) {
+    const auto at = [this](double s) -> std::optional<OutlineVertex> {
+      const Rim::Place place = rim_.at(s);
+      const auto seen = see(place.ray);
+      if (!seen) return std::nullopt;
+      return vertex(seen->point, place.isDrawnIn ? std::nullopt : std::optional(place.pixel));
+    };
+    return withEnds({at, piece.from, piece.to});
+  }
+  /// Of the horizon from one azimuth, so far round.
+  Curve arc(double azimuth, double span) {
+    const auto at = [this, azimuth, span](double t) -> std::optional<OutlineVertex> {
+      const auto limit = ground_.farthest(azimuth + turning_ * span * t, most_);
+      if (!limit) return std::nullopt;
+      if (!limit->cut) throw InputError("the picture reaches the horizon of the plane; --max-distance D cuts it there");
+      cut_.insert(limit->cut);
+      return vertex(limit->point);
+    };
+    return withEnds({at});
   }
   /// In an orthographic picture all cuts are straight.
-  Curve chord(OutlineVertex from, OutlineVertex to) {
+  Curve chord(const Vec3& from, const Vec3& to) {
     cut_.insert("distance");
-    from.pixel = to.pixel = std::nullopt;
-    const auto at = [this, from, to](double t) {
-      return std::optional(vertex(sum(from.point, t, sum(to.point, -1, from.point)), std::nullopt));
-    };
-    return {at, 0, 1, from, to};
+    return withEnds({[=, this](double t) { return std::optional(vertex(sum(from, t, sum(to, -1, from)))); }});
+  }
+
+  State stateAt(double s) {
+    const Rim::Place place = rim_.at(s);
+    return {see(place.ray).has_value(), place.isDrawnIn};
+  }
+  /// Adds the pieces of the rim between two places that have these states. A change is found to the last bit.
+  void split(double a, const State& atA, double b, const State& atB, std::vector<Piece>& all) {
+    if (atA == atB) {
+      const bool isNew = a == std::floor(a) || all.empty() || all.back().to != a || all.back().state != atA;
+      isNew ? all.push_back({a, b, atA}) : void(all.back().to = b);
+    } else if (const double middle = a + (b - a) / 2; middle > a && middle < b) {
+      const State state = stateAt(middle);
+      split(a, atA, middle, state, all);
+      split(middle, state, b, atB, all);
+    }
+  }
+  /// Clockwise from the top left corner. What is narrower than two probes are apart may be missed.
+  std::vector<Piece> pieces() {
+    constexpr int kProbes = 64;  // of a side
+    std::vector<Piece> all;
+    State last = stateAt(0);
+    for (int k = 0; k < 4 * kProbes; ++k) {
+      const double from = static_cast<double>(k) / kProbes, to = static_cast<double>(k + 1) / kProbes;
+      const State next = stateAt(to);
+      split(from, last, to, next, all);
+      last = next;
+    }
+    return all;
   }
 
   /// Runs of pieces that see the ground, the first one that follows a cut first.
@@ -239,110 +179,112 @@ class Tracer {
     bool areCut = false;
   };
   Runs runsOf(std::vector<Piece> all) {
-    if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.isDrawnIn; })) cut_.insert("lens");
-    const auto begins = [&](std::size_t i) { return all[i].sees && !all[(i + all.size() - 1) % all.size()].sees; };
-    std::size_t start = 0;
-    while (start < all.size() && !begins(start)) ++start;
-    Runs found{{}, start < all.size()};
-    if (found.areCut) std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(start), all.end());
+    if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.state.isDrawnIn; })) cut_.insert("lens");
+    const auto isCut = [](const Piece& before, const Piece& after) { return !before.state.sees && after.state.sees; };
+    auto start = isCut(all.back(), all.front()) ? all.begin() : std::adjacent_find(all.begin(), all.end(), isCut);
+    Runs found{{}, start != all.end()};
+    if (found.areCut && start->state.sees == false) ++start;
+    if (found.areCut) std::rotate(all.begin(), start, all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!all[i].sees) continue;
-      if (found.runs.empty() || begins(i)) found.runs.emplace_back();
-      Curve curve{[this](double s) { return onEdge(s); }, all[i].from, all[i].to};
-      setEnds(curve);
-      found.runs.back().push_back(std::move(curve));
+      if (!all[i].state.sees) continue;
+      if (found.runs.empty() || isCut(all[i - 1], all[i])) found.runs.emplace_back();
+      found.runs.back().push_back(alongRim(all[i]));
     }
     return found;
+  }
+
+  std::optional<Vec2> horizonPixel(double azimuth, double most = HUGE_VAL) const {
+    const auto limit = ground_.farthest(azimuth, most);
+    const ScreenPoint screen = limit ? worldToScreen(camera_, limit->point) : ScreenPoint{};
+    return limit && screen.status == PointStatus::inFront ? std::optional(Vec2{screen.x, screen.y}) : std::nullopt;
+  }
+  bool horizonIsInPicture(double most) const {
+    const auto pixel = isFlat_ ? std::nullopt : horizonPixel(0, most);
+    return pixel && sidesBeyond(camera_, *pixel) == 0;
+  }
+
+  /// The horizon from where a run ends, in radians, to the next azimuth at which one begins.
+  struct Link {
+    double azimuth = 0, span = 0;
+    std::size_t next = 0;
+  };
+  Link linkAfter(const std::vector<Ring>& runs, std::size_t i) const {
+    const auto azimuthAt = [&](double s) { return ground_.azimuthOf(rim_.at(s).ray.direction); };
+    Link link{azimuthAt(runs[i].back().to), 4 * kPi, i};
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const double ahead = turning_ * (azimuthAt(runs[k].front().from) - link.azimuth);
+      if (const double span = std::fmod(ahead + 4 * kPi, 2 * kPi); span < link.span) link.span = span, link.next = k;
+    }
+    return link;
   }
 
   std::vector<Ring> rings() {
     auto [runs, areCut] = runsOf(pieces());
     if (areCut) return linked(std::move(runs));
-    // The edge sees the ground everywhere or nowhere: the horizon is all in the picture, or all outside of it.
+    // The rim sees the ground everywhere or nowhere: the horizon is all in the picture, or all outside of it.
     std::vector<Ring> rings;
     if (horizonIsInPicture(most_)) {
       rings.emplace_back();
-      for (int k = 0; k < 4; ++k) rings.back().push_back(arc(turning() * k * kPi / 2, kPi / 2));
+      for (int k = 0; k < 4; ++k) rings.back().push_back(arc(turning_ * k * kPi / 2, kPi / 2));
     }
     hasHole_ = !rings.empty() && !runs.empty();
-    for (Ring& run : runs) rings.push_back(std::move(run));
+    rings.insert(rings.end(), runs.begin(), runs.end());
     return rings;
   }
-  bool horizonIsInPicture(double most) const {
-    const auto limit = isFlat_ ? std::nullopt : ground_.farthest(0, most);
-    if (!limit) return false;
-    const ScreenPoint screen = worldToScreen(camera_, limit->point);
-    return screen.status == PointStatus::inFront && sidesBeyond(camera_, {screen.x, screen.y}) == 0;
-  }
 
-  /// The horizon from where a run ends, in radians, to the next azimuth at which one begins.
-  struct Link {
-    double azimuth, span;
-    std::size_t next;
-  };
-  Link linkAfter(const std::vector<Ring>& runs, std::size_t i) const {
-    const auto azimuthAt = [&](double s) { return ground_.azimuthOf(edge(s).ray.direction); };
-    Link link{azimuthAt(runs[i].back().to), 4 * kPi, i};
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      const double ahead = turning() * (azimuthAt(runs[k].front().from) - link.azimuth);
-      const double span = std::fmod(ahead + 4 * kPi, 2 * kPi);
-      if (span >= link.span) continue;
-      link.span = span;
-      link.next = k;
-    }
-    return link;
-  }
-
+  /// Runs and what lies between them. Where they meet is where the arc says.
   std::vector<Ring> linked(std::vector<Ring> runs) {
     std::vector<std::size_t> next(runs.size());
     std::vector<Curve> arcs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      next[i] = (i + 1) % runs.size();
-      if (isFlat_) {
-        arcs.push_back(chord(runs[i].back().last, runs[next[i]].front().first));
-        continue;
-      }
-      const Link link = linkAfter(runs, i);
+      const Link link = isFlat_ ? Link{0, 0, (i + 1) % runs.size()} : linkAfter(runs, i);
       next[i] = link.next;
-      arcs.push_back(arc(link.azimuth, link.span));
+      arcs.push_back(isFlat_ ? chord(runs[i].back().last.point, runs[next[i]].front().first.point)
+                             : arc(link.azimuth, link.span));
     }
     std::vector<Ring> rings;
     std::vector<bool> isUsed(runs.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (isUsed[i]) continue;
       rings.emplace_back();
+      Ring& ring = rings.back();
       for (std::size_t k = i; !isUsed[k]; k = next[k]) {
         isUsed[k] = true;
+        if (!ring.empty()) runs[k].front().first = ring.back().last;
         runs[k].back().last = arcs[k].first;
-        runs[next[k]].front().first = arcs[k].last;
-        rings.back().insert(rings.back().end(), runs[k].begin(), runs[k].end());
-        rings.back().push_back(arcs[k]);
+        ring.insert(ring.end(), runs[k].begin(), runs[k].end());
+        ring.push_back(arcs[k]);
       }
-      // The last arc may end at a curve that is in the ring already.
-      rings.back().front().first = rings.back().back().last;
+      ring.front().first = ring.back().last;
     }
     return rings;
   }
 
-  /// Where the ground between two ends of a curve is halved: near a horizon that is not half-way along the edge.
+  /// Where the ground between two ends of a curve is halved: near a horizon that is not half-way along the rim.
   struct Middle {
     double at;
     OutlineVertex vertex;
   };
-  Middle middleOf(const Curve& curve, double a, double b, const OutlineVertex& p, const OutlineVertex& q) {
+  static Middle middleOf(const Curve& curve, double a, double b, const OutlineVertex& p, const OutlineVertex& q) {
+    constexpr int kSteps = 40;
+    constexpr double kEven = 0.6;
     Middle middle{a, p};
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < kSteps; ++i) {
       middle.at = a + (b - a) / 2;
       middle.vertex = curve.at(middle.at).value_or(p);
       const double before = apart(middle.vertex.point, p.point), after = apart(middle.vertex.point, q.point);
-      if (std::min(before, after) > 0.6 * std::max(before, after)) break;
+      if (std::min(before, after) > kEven * std::max(before, after)) break;
       (before < after ? a : b) = middle.at;
     }
     return middle;
   }
 
-  Traced trace(const Ring& ring, double error) {
-    Traced traced{.error = error};
+  struct Traced {
+    double error, sum = 0, turn = 0, area = 0;
+    std::vector<OutlineVertex> vertices = {};
+  };
+  Traced trace(const Ring& ring, double error) const {
+    Traced traced{error};
     for (const Curve& c : ring)
       halve(c, c.from, c.to, c.first, c.last, middleOf(c, c.from, c.to, c.first, c.last), 0, traced);
     traced.area = ground_.areaOf(traced.sum, traced.turn);
@@ -351,8 +293,9 @@ class Tracer {
 
   /// Halves a curve until its quarters lie on the line that a map draws.
   void halve(const Curve& curve, double a, double b, const OutlineVertex& p, const OutlineVertex& q, const Middle& m,
-             int depth, Traced& traced) {
+             int depth, Traced& traced) const {
     constexpr int kDeepest = 40;
+    constexpr double kOfError = 0.8;  // quarters are not the farthest from the line
     constexpr std::size_t kMostVertices = 1'000'000;
     const Middle l = middleOf(curve, a, m.at, p, m.vertex), n = middleOf(curve, m.at, b, m.vertex, q);
     const Vec2 scale = ground_.scaleAt(m.vertex.place);
@@ -360,15 +303,10 @@ class Tracer {
       const Vec2 way = ground_.way(p.place, to.place);
       return Vec2{way.x * scale.x, way.y * scale.y};
     };
-    const Vec2 whole = metres(q);
-    const double length = std::hypot(whole.x, whole.y);
     double worst = 0;
-    for (const OutlineVertex* v : {&l.vertex, &m.vertex, &n.vertex}) {
-      const Vec2 w = metres(*v);
-      worst = std::max(worst, length > 0 ? std::fabs(w.x * whole.y - w.y * whole.x) / length : std::hypot(w.x, w.y));
-    }
+    for (const Middle* each : {&l, &m, &n}) worst = std::max(worst, distanceToLine(metres(each->vertex), metres(q)));
     const double extent = std::max(apart(p.point, m.vertex.point), apart(m.vertex.point, q.point));
-    if (worst > 0.8 * traced.error && extent > traced.error && depth < kDeepest) {
+    if (worst > kOfError * traced.error && extent > traced.error && depth < kDeepest) {
       halve(curve, a, m.at, p, m.vertex, l, depth + 1, traced);
       halve(curve, m.at, b, m.vertex, q, n, depth + 1, traced);
       return;
@@ -379,6 +317,11 @@ class Tracer {
     traced.vertices.push_back(p);
     addArea(p, l.vertex, m.vertex, traced);
     addArea(m.vertex, n.vertex, q, traced);
+  }
+  /// From the line through 0 and `to`.
+  static double distanceToLine(const Vec2& at, const Vec2& to) {
+    const double length = std::hypot(to.x, to.y);
+    return length > 0 ? std::fabs(at.x * to.y - at.y * to.x) / length : std::hypot(at.x, at.y);
   }
 
   /// The integral along the parabola through three places.
@@ -394,10 +337,10 @@ class Tracer {
 
   const Camera& camera_;
   const Ground& ground_;
-  double most_;
-  bool isFlat_, isMirrored_ = false, hasHole_ = false;
+  Rim rim_;
+  double most_, turning_ = 1;
+  bool isFlat_, hasHole_ = false;
   bool seesBeyond_ = false;  ///< something is seen, be it too far
-  Vec2 topLeft_, bottomRight_, center_;
   std::set<std::string_view> cut_;
 };
 
@@ -407,9 +350,8 @@ Outline outlineOf(const Camera& camera, const Ground& ground, double most, doubl
   return Tracer(camera, ground, most).outline(error);
 }
 
-std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground) {
-  if (camera.projection().isOrthographic()) return {};
-  return Tracer(camera, ground, std::numeric_limits<double>::infinity()).horizonPixels();
+std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground, double heading) {
+  return Tracer(camera, ground, HUGE_VAL).horizonPixels(heading);
 }
 
 }  // namespace viewproj::cmd

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/ground.hpp"
+#include "picture/ground.hpp"
 
 namespace viewproj::cmd {
 
@@ -39,7 +39,8 @@ struct Outline {
 Outline outlineOf(const Camera& camera, const Ground& ground, double most, double error);
 
 /// Where the ground's horizon enters a perspective picture, is half-way through it by azimuth, and leaves it, by
-/// growing azimuth. Of several parts the widest. Nothing if it does not.
-std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground);
+/// growing azimuth. Of several parts the widest. One that is all in the picture enters and leaves it behind the
+/// camera's heading, in radians. Nothing if it is not in the picture.
+std::array<std::optional<Vec2>, 3> horizonPixels(const Camera& camera, const Ground& ground, double heading);
 
 }  // namespace viewproj::cmd

@@ -18,10 +18,10 @@ struct Sample {
 
 class Tracer {
  public:
-  Tracer(const View& view, const std::function<Vec4(double)>& at, bool isStraight, const CurveOptions& options)
-      : view_(view), at_(at), isStraight_(isStraight), options_(options) {}
+  Tracer(const View& view, const std::function<Vec4(double)>& at, const CurveOptions& options)
+      : view_(view), at_(at), options_(options) {}
 
-  std::vector<Piece> pieces(int steps) {
+  Pieces pieces(int steps) {
     Sample last = sampleAt(0);
     if (last.state != State::outside) begin(last);
     for (int i = 1; i <= steps; ++i) {
@@ -41,10 +41,10 @@ class Tracer {
     const Vec4 p = at_(t);
     const auto at = view_.place(p, options_.extent);
     if (!at) return {t, State::outside, {}};
-    const Vec3 point{p.x, p.y, p.z};
     // What the lens does not show of a line without the lens is seen.
     const auto real = options_.extent == Extent::withoutLens ? view_.place(p) : at;
-    const bool isHidden = options_.findsHidden && p.w != 0 && real && view_.hides(point, *real, options_.except);
+    const auto point = positionOf(p);
+    const bool isHidden = options_.findsHidden && point && real && view_.hides(*point, *real, options_.except);
     return {t, isHidden ? State::hidden : State::seen, *at};
   }
 
@@ -54,33 +54,31 @@ class Tracer {
   void walk(const Sample& a, const Sample& b, int halvings) {
     const bool changes = a.state != b.state;
     if (!changes && a.state == State::outside) return;
-    const double gap = changes ? HUGE_VAL : isStraight_ ? 0 : distance(a.at, b.at);
-    if (halvings > 0 && (gap > kLongest || (!isStraight_ && gap > kLeast && halvings > kLeastHalvings))) {
+    const double gap = distance(a.at, b.at);
+    const bool isNear = gap <= kLongest, mayBend = gap > kLeast && halvings > kLeastHalvings;
+    if (halvings > 0 && (changes || !isNear || mayBend)) {
       const Sample middle = sampleAt((a.t + b.t) / 2);
-      const bool isPlain =
-          !changes && middle.state == a.state && gap <= kLongest && distanceToSegment(middle.at, a.at, b.at) < kBend;
-      if (!isPlain) {
+      if (changes || !isNear || middle.state != a.state || distanceToSegment(middle.at, a.at, b.at) >= kBend) {
         walk(a, middle, halvings - 1);
         return walk(middle, b, halvings - 1);
       }
     }
-    const bool joins = a.state != State::outside && (changes ? distance(a.at, b.at) <= kLongest : gap <= kLongest);
-    if (joins && b.state != State::outside) pieces_.back().line.push_back(b.at);
-    if (b.state != State::outside && (changes || !joins)) begin(b);
+    if (b.state == State::outside) return;
+    const bool joins = a.state != State::outside && isNear;
+    if (joins) pieces_.back().line.push_back(b.at);
+    if (changes || !joins) begin(b);
   }
 
   const View& view_;
   const std::function<Vec4(double)>& at_;
-  bool isStraight_;
   CurveOptions options_;
-  std::vector<Piece> pieces_;
+  Pieces pieces_;
 };
 
-/// The part of a segment within the planes of the view, from and to in t.
-std::pair<double, double> clipped(const View& view, const Vec3& a, const Vec3& b, Extent extent) {
+/// The part of a segment within the planes of the view without its lens, from and to in t.
+std::pair<double, double> clipped(const View& view, const Vec3& a, const Vec3& b) {
   double from = 0, to = 1;
   for (const FrustumPlane& plane : view.frustum().planes()) {
-    if (extent == Extent::anyDistance && (plane.side == sideNear || plane.side == sideFar)) continue;
     const Vec4& e = plane.equation;
     const double atA = e.x * a.x + e.y * a.y + e.z * a.z + e.w, atB = e.x * b.x + e.y * b.y + e.z * b.z + e.w;
     if (atA < 0 && atB < 0) return {1, 0};
@@ -92,33 +90,33 @@ std::pair<double, double> clipped(const View& view, const Vec3& a, const Vec3& b
 
 }  // namespace
 
-std::vector<Piece> piecesOf(const View& view, const std::function<Vec4(double)>& at, int steps,
-                            const CurveOptions& options) {
-  return Tracer(view, at, false, options).pieces(steps);
+std::vector<Vec2> pointsOf(const Pieces& pieces) {
+  std::vector<Vec2> points;
+  for (const Piece& piece : pieces) points.insert(points.end(), piece.line.begin(), piece.line.end());
+  return points;
 }
 
-std::vector<Piece> piecesOf(const View& view, const Vec3& a, const Vec3& b, const CurveOptions& options) {
-  constexpr double kStep = 12;
-  constexpr int kFewest = 4, kMost = 2000;
+Pieces piecesOf(const View& view, const std::function<Vec4(double)>& at, int steps, const CurveOptions& options) {
+  return Tracer(view, at, options).pieces(steps);
+}
+
+Pieces piecesOf(const View& view, const Vec3& a, const Vec3& b, const CurveOptions& options) {
+  constexpr double kStepsOfPicture = 80, kFewest = 4, kMost = 2000;
   const bool isStraight = !view.hasLens() || options.extent == Extent::withoutLens;
-  const auto [from, to] = isStraight ? clipped(view, a, b, options.extent) : std::pair(0.0, 1.0);
+  const auto [from, to] = isStraight ? clipped(view, a, b) : std::pair(0.0, 1.0);
   if (!(from <= to)) return {};
   const Vec3 start = pointAlong(a, b, from), end = pointAlong(a, b, to);
   const Vec3 u = sum(start, -1, view.eye()), v = sum(end, -1, view.eye());
   const double angle = std::atan2(length(detail::crossOf(u, v)), detail::dot(u, v));
   const bool isEven = view.isParallel() || angle < 1e-9;
   const double toStart = length(u), toEnd = length(v);
-  const std::function<Vec4(double)> at = [&](double t) {
+  const auto at = [&](double t) {
     const double x = toStart * std::sin(t * angle), y = toEnd * std::sin((1 - t) * angle);
     return pointOf(pointAlong(start, end, isEven ? t : x / (x + y)));
   };
-  // Both ends of a straight one are in the picture.
-  const auto first = view.place(at(0), options.extent), last = view.place(at(1), options.extent);
   const double fov = view.camera().projection().fov(Fov::diagonal) * std::numbers::pi / 180;
-  const double steps = isStraight ? (first && last ? distance(*first, *last) / kStep : 80) : 80 * angle / fov;
-  const bool needsFew = isStraight && !view.canHide();
-  return Tracer(view, at, isStraight, options)
-      .pieces(needsFew ? 1 : static_cast<int>(std::clamp(std::ceil(steps), double(kFewest), double(kMost))));
+  const double steps = view.isParallel() ? kStepsOfPicture : std::ceil(kStepsOfPicture * angle / fov);
+  return piecesOf(view, at, static_cast<int>(std::clamp(steps, kFewest, kMost)), options);
 }
 
 }  // namespace viewproj::cmd

@@ -12,20 +12,21 @@ struct Piece {
   bool isHidden = false;
   std::vector<Vec2> line;  ///< on the sheet
 };
+using Pieces = std::vector<Piece>;
+std::vector<Vec2> pointsOf(const Pieces& pieces);
 
 struct CurveOptions {
   Extent extent = Extent::view;
-  bool findsHidden = true;              ///< else all of it is seen
   const SceneObject* except = nullptr;  ///< a shape that does not hide it
+  bool findsHidden = true;              ///< else all of it is seen
 };
 
 /// The pieces of at(t), t from 0 to 1, from at least so many steps. Where a piece begins or ends is found by halving,
 /// and a step that is long or bent on the sheet is halved too. Where the picture of a curve jumps, as behind a lens
 /// that sees nearly all around, a piece ends.
-std::vector<Piece> piecesOf(const View& view, const std::function<Vec4(double)>& at, int steps,
-                            const CurveOptions& options = {});
+Pieces piecesOf(const View& view, const std::function<Vec4(double)>& at, int steps, const CurveOptions& options = {});
 
 /// Of a segment, by steps of equal angles at the eye, so that what is near the eye gets its share.
-std::vector<Piece> piecesOf(const View& view, const Vec3& a, const Vec3& b, const CurveOptions& options = {});
+Pieces piecesOf(const View& view, const Vec3& a, const Vec3& b, const CurveOptions& options = {});
 
 }  // namespace viewproj::cmd

@@ -38,6 +38,12 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+double lengthOf(const std::vector<Vec2>& line) {
+  double total = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i - 1], line[i]);
+  return total;
+}
+
 std::vector<Vec2> simplified(const std::vector<Vec2>& line) {
   constexpr double kTolerance = 0.12;
   if (line.size() < 3) return line;

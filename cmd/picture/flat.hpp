@@ -1,9 +1,11 @@
 // Geometry on the sheet, in its units: x to the right, y down.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "viewproj/vectors.hpp"
@@ -15,22 +17,32 @@ struct Rect {
 };
 
 inline Rect grown(const Rect& a, double by) { return {a.left - by, a.top - by, a.right + by, a.bottom + by}; }
+inline Rect around(const Vec2& at, double x, double y) { return {at.x - x, at.y - y, at.x + x, at.y + y}; }
+inline Vec2 middleOf(const Rect& a) { return {(a.left + a.right) / 2, (a.top + a.bottom) / 2}; }
 inline bool meet(const Rect& a, const Rect& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
-inline bool holds(const Rect& box, const Vec2& at) {
-  return box.left <= at.x && at.x <= box.right && box.top <= at.y && at.y <= box.bottom;
+inline bool holds(const Rect& outer, const Rect& inner) {
+  return outer.left <= inner.left && inner.right <= outer.right && outer.top <= inner.top &&
+         inner.bottom <= outer.bottom;
 }
+inline bool holds(const Rect& box, const Vec2& at) { return holds(box, around(at, 0, 0)); }
 /// NaN if there are no points.
 Rect boundsOf(const std::vector<Vec2>& points);
+inline double largerSide(const Rect& a) { return std::fmax(a.right - a.left, a.bottom - a.top); }
 
+/// a + k b.
+inline Vec2 sum(const Vec2& a, double k, const Vec2& b) { return {a.x + k * b.x, a.y + k * b.y}; }
 inline double distance(const Vec2& a, const Vec2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
-inline Vec2 between(const Vec2& a, const Vec2& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+inline Vec2 between(const Vec2& a, const Vec2& b, double t) { return sum(a, t, sum(b, -1, a)); }
+/// The direction from a to b, of length 1.
+inline Vec2 wayFrom(const Vec2& a, const Vec2& b) { return sum({}, 1 / distance(a, b), sum(b, -1, a)); }
 double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b);
 /// Length of a segment within a box (Liang-Barsky).
 double lengthWithin(const Vec2& a, const Vec2& b, const Rect& box);
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
+double lengthOf(const std::vector<Vec2>& line);
 /// Without the points that lie within 0.12 of the line of those that stay (Douglas-Peucker).
 std::vector<Vec2> simplified(const std::vector<Vec2>& line);
 /// The corners of the convex hull, in order (Andrew's chains).
@@ -43,50 +55,42 @@ class Cells {
   explicit Cells(const Rect& sheet) : sheet_(sheet) {}
 
   void add(const Rect& box, const T& thing) {
-    eachCell(box, [&](std::vector<std::size_t>& cell) {
-      cell.push_back(things_.size());
-      return false;
-    });
-    things_.push_back(thing);
-    asked_.push_back(0);
+    const Range range = rangeOf(box);
+    for (std::size_t y = range.top; y <= range.bottom; ++y)
+      for (std::size_t x = range.left; x <= range.right; ++x) cells_[y * kAcross + x].push_back({range, thing});
   }
 
-  /// Whether is(thing) holds for one of those whose box may meet this one. Each is asked once.
+  /// Whether is(thing) holds for one of those whose box may meet this one. Each is asked once, in the first cell of
+  /// both.
   template <class Is>
   bool any(const Rect& box, Is is) const {
-    ++question_;
-    return eachCell(box, [&](const std::vector<std::size_t>& cell) {
-      for (const std::size_t i : cell)
-        if (asked_[i] != question_) {
-          asked_[i] = question_;
-          if (is(things_[i])) return true;
-        }
-      return false;
-    });
+    const Range range = rangeOf(box);
+    for (std::size_t y = range.top; y <= range.bottom; ++y)
+      for (std::size_t x = range.left; x <= range.right; ++x)
+        for (const auto& [of, thing] : cells_[y * kAcross + x])
+          if (x == std::max(of.left, range.left) && y == std::max(of.top, range.top) && is(thing)) return true;
+    return false;
   }
 
  private:
   static constexpr std::size_t kAcross = 40;
-  /// Until use(cell) is true. What is off the sheet belongs to the cells at its edge.
-  template <class Use>
-  bool eachCell(const Rect& box, Use use) const {
+  struct Range {
+    std::size_t left, top, right, bottom;
+  };
+  /// What is off the sheet belongs to the cells at its edge.
+  Range rangeOf(const Rect& box) const {
     const auto index = [](double at, double from, double to) {
       const double cell = (at - from) / (to - from) * kAcross;
       return !(cell > 0) ? 0 : cell >= kAcross ? kAcross - 1 : static_cast<std::size_t>(cell);
     };
-    const std::size_t right = index(box.right, sheet_.left, sheet_.right),
-                      bottom = index(box.bottom, sheet_.top, sheet_.bottom);
-    for (std::size_t y = index(box.top, sheet_.top, sheet_.bottom); y <= bottom; ++y)
-      for (std::size_t x = index(box.left, sheet_.left, sheet_.right); x <= right; ++x)
-        if (use(cells_[y * kAcross + x])) return true;
-    return false;
+    const Rect& s = sheet_;
+    return {index(box.left, s.left, s.right), index(box.top, s.top, s.bottom), index(box.right, s.left, s.right),
+            index(box.bottom, s.top, s.bottom)};
   }
 
   Rect sheet_;
-  mutable std::vector<std::vector<std::size_t>> cells_ = std::vector<std::vector<std::size_t>>(kAcross * kAcross);
-  std::vector<T> things_;
-  mutable std::vector<std::size_t> asked_;  ///< the question that each was asked last
-  mutable std::size_t question_ = 0;
+  std::vector<std::vector<std::pair<Range, T>>> cells_ =
+      std::vector<std::vector<std::pair<Range, T>>>(kAcross * kAcross);
 };
 
 }  // namespace viewproj::cmd

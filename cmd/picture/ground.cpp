@@ -1,274 +1,188 @@
-// Planes and the Earth: a tint, the horizon, and a grid of round numbers that thins out with distance.
+#include "picture/ground.hpp"
+
 #include <algorithm>
 #include <numbers>
-#include <optional>
 
+#include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "numbers/vectors.hpp"
-#include "picture/drawing.hpp"
-#include "picture/svg.hpp"
-#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-using detail::crossOf;
 using detail::dot;
 
-constexpr double kDegrees = std::numbers::pi / 180;
+constexpr double kRadian = std::numbers::pi / 180;
 
-/// A surface with two coordinates.
-struct Surface {
-  std::string name, unit;
-  std::function<Vec3(double u, double v)> at;
-  std::function<Vec2(const Vec3& point)> coordinatesOf;
-  std::function<bool(const Vec2& at, Vec3& point)> hit;  ///< where the ray of a place on the sheet hits it
-  Vec2 foot;                                             ///< below the eye
-  Vec2 size{1, 1};                                       ///< of a step of 1, in the world
-  double height = 0;                                     ///< of the eye
-  std::optional<Vec2> limits = {};                       ///< |u|, and |v| from the foot
+/// The surface of a height. Its formulas are those of curves on the ellipsoid: a and b its semi-axes, e its
+/// eccentricity, M and N its radii of curvature along and across the meridian.
+class HeightGround final : public Ground {
+ public:
+  HeightGround(double surface, const Vec3& eye) : eye_(eye), place_(ecefToGeodetic(eye)) {
+    constexpr double kLeastRise = 1e-6;  // metres
+    height = surface;
+    const auto& [east, north, above] = localAxes(place_);
+    aside = east;
+    ahead = north;
+    up = above;
+    rise = place_.height - height;
+    holdsEye = std::fabs(rise) < kLeastRise;
+    isOnEarth = true;
+    foot = {place_.lon, place_.lat};
+    extent = {foot.x - 180, -90, foot.x + 180, 90};
+    // What a camera on the ground stands on does not hide; below the ellipsoid the ground is lower too.
+    hiding_ = rise > 0 ? height : std::min(0.0, place_.height - 1);
+  }
+
+  std::optional<Seen> hit(const Ray& ray) const override {
+    const HeightCrossings found = crossingsOfHeight(ray, height);
+    if (found.count == 0 || (rise < 0 && crossingsOfHeight(ray, hiding_).count > 0)) return std::nullopt;
+    return Seen{sum(ray.origin, found.distances[0], ray.direction), found.distances[0]};
+  }
+
+  std::optional<Limit> farthest(double azimuth, double most) const override {
+    if (std::fabs(rise) > most) return std::nullopt;
+    const double h = place_.height, touching = -std::acos(std::min(1.0, (kA + hiding_) / (kA + h)));
+    auto [elevation, t] = sightOf(azimuth, {touching, 0}, hiding_, true);
+    const Vec3 d = direction(azimuth, elevation);
+    if (rise < 0) t = crossingsOfHeight({eye_, d}, height).distances[0];
+    if (t <= most) return Limit{sum(eye_, t, d), elevation, t, "horizon"};
+    const double sine = (-rise * (2 * kA + height + h) - most * most) / (2 * (kA + h) * most);
+    const Sight at = sightOf(azimuth, {std::asin(std::clamp(sine, -1.0, 1.0)), most}, height, false);
+    return Limit{sum(eye_, most, direction(azimuth, at.elevation)), at.elevation, most, "distance"};
+  }
+
+  Vec2 placeOf(const Vec3& point) const override {
+    const Geodetic place = ecefToGeodetic(point);
+    return {place.lon, place.lat};
+  }
+  Vec3 pointAt(const Vec2& place) const override { return geodeticToEcef({place.y, place.x, height}); }
+  Vec2 way(const Vec2& from, const Vec2& to) const override {
+    return {std::remainder(to.x - from.x, 360), to.y - from.y};
+  }
+  Vec2 scaleAt(const Vec2& place) const override {
+    const double s = std::sin(place.y * kRadian), w2 = 1 - kE2 * s * s, n = kA / std::sqrt(w2);
+    return {kRadian * (n + height) * std::cos(place.y * kRadian), kRadian * (n * (1 - kE2) / w2 + height)};
+  }
+  double areaBelow(const Vec2& place) const override { return kRadian * (belowLat(place.y) - belowLat(foot.y)); }
+  double areaOf(double sum, double turn) const override {
+    if (std::fabs(turn) < 180) return std::fabs(sum);
+    return std::fabs(areaBelow({0, std::copysign(90, foot.y)}) * turn - sum);
+  }
+
+ private:
+  static constexpr double kA = kWgs84.equatorial, kB = kWgs84.polar, kE2 = 1 - (kB / kA) * (kB / kA);
+
+  /// The integral of (M + H)(N + H) cos lat from the equator.
+  double belowLat(double lat) const {
+    const double s = std::sin(lat * kRadian), w2 = 1 - kE2 * s * s, e = std::sqrt(kE2);
+    return kB * kB / 2 * (s / w2 + std::atanh(e * s) / e) +
+           height * (kA * std::asin(e * s) / e + kA * (1 - kE2) * s / std::sqrt(w2)) + height * height * s;
+  }
+  /// Height and normal at a distance along a direction from the eye.
+  struct Level {
+    double height;
+    Vec3 normal;
+  };
+  Level levelAt(double t, const Vec3& d) const {
+    const Geodetic place = ecefToGeodetic(sum(eye_, t, d));
+    return {place.height, localAxes(place).up};
+  }
+  struct Sight {
+    double elevation, distance;
+  };
+  /// At an azimuth, the elevation at which the ray is as high as this, by Newton's method: at its distance, or, to
+  /// touch the surface, where it is lowest, which is found in turn as over a sphere.
+  Sight sightOf(double azimuth, Sight at, double wanted, bool touches) const {
+    constexpr int kSteps = 50;
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec3 d = direction(azimuth, at.elevation);
+      const Level before = levelAt(at.distance, d);
+      const double nearer = touches ? dot(before.normal, d) * (kA + before.height) : 0;
+      at.distance -= nearer;
+      const auto [above, normal] = touches ? levelAt(at.distance, d) : before;
+      const Vec3 rising = direction(azimuth, at.elevation + std::numbers::pi / 2);
+      const double step = (above - wanted) / (at.distance * dot(normal, rising));
+      if (!std::isfinite(step)) break;
+      at.elevation -= std::clamp(step, -0.2, 0.2);
+      if (std::fabs(step) < 1e-16 && std::fabs(nearer) < 1e-6) break;
+    }
+    return at;
+  }
+
+  Vec3 eye_;
+  Geodetic place_;
+  double hiding_ = 0;
 };
 
-/// The ground's width under a sixth of the picture, low in its middle column.
-std::optional<double> widthBelow(const View& view, const Surface& surface) {
-  const Rect& f = view.frame();
-  for (const double share : {0.85, 0.7, 0.6, 0.5, 0.4, 0.25, 0.1, 0.03}) {
-    const double y = f.top + share * (f.bottom - f.top), x = view.middle().x, side = (f.right - f.left) / 12;
-    Vec3 a, b;
-    if (surface.hit({x - side, y}, a) && surface.hit({x + side, y}, b)) return length(sum(a, -1, b));
+class PlaneGround final : public Ground {
+ public:
+  /// away: of the eye along the normal, a unit vector. size: of the numbers that it comes from.
+  PlaneGround(const SceneObject& plane, const Vec3& normal, double away, const Vec3& eye, double size)
+      : plane_(plane), base_(sum(eye, -away, normal)) {
+    constexpr double kLeastShare = 1e-12;
+    up = scaled(normal, away < 0 ? -1 : 1);
+    rise = std::fabs(away);
+    holdsEye = rise <= kLeastShare * size;
+    const Vec3 axis = std::fabs(up.z) > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    aside = unit(sum(axis, -dot(axis, up), up));
+    ahead = detail::crossOf(up, aside);
+    origin = {-dot(base_, aside), -dot(base_, ahead)};
   }
-  return std::nullopt;
-}
 
-/// The coordinates that the picture shows, if its edge shows nothing but the surface.
-std::optional<Rect> coordinatesInView(const View& view, const Surface& surface) {
-  constexpr int kPlaces = 8;
-  const Rect& f = view.frame();
-  std::vector<Vec2> seen;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double t = i / double(kPlaces), x = f.left + t * (f.right - f.left), y = f.top + t * (f.bottom - f.top);
-    for (const Vec2& at :
-         {Vec2{x, f.top}, {f.right, y}, {f.right - x + f.left, f.bottom}, {f.left, f.bottom - y + f.top}}) {
-      Vec3 point;
-      if (!surface.hit(at, point)) return std::nullopt;
-      seen.push_back(surface.coordinatesOf(point));
-    }
+  std::optional<Seen> hit(const Ray& ray) const override {
+    const Hits hits = hitsOf(ray, plane_);
+    if (hits.count == 0 || !std::isfinite(hits.hits[0].distance)) return std::nullopt;
+    return Seen{hits.hits[0].point, hits.hits[0].distance};
   }
-  const Rect box = boundsOf(seen);
-  return grown(box, 0.25 * std::max(box.right - box.left, box.bottom - box.top));
-}
-
-/// Lines of 1, 10 and 100 steps around the foot of the eye. They reach as far as the next one across the view is kGap
-/// away on the sheet: step F h / r^2 = kGap.
-void drawGrid(const Drawing& drawing, const Surface& surface, double step) {
-  constexpr double kGap = 7, kReachOfParallel = 12, kOfGrid = 0.06, kShortest = 2, kCoarsestDegrees = 30;
-  constexpr int kLevels = 3, kMostLines = 400, kSteps = 80;
-  const View& view = drawing.view;
-  const Projection projection = view.camera().projection();
-  const double focal = (view.frame().right - view.frame().left) / (projection.right() - projection.left());
-  const auto shown = coordinatesInView(view, surface);
-  const double feet[] = {surface.foot.x, surface.foot.y}, sizes[] = {surface.size.x, surface.size.y};
-  bool isDrawn = false;
-  for (int level = 0; level < kLevels; ++level) {
-    const double s = step * std::pow(10, level);
-    if (surface.limits && level > 0 && s > kCoarsestDegrees) break;
-    std::string data;
-    for (const bool isU : {true, false}) {
-      const double foot = feet[isU ? 0 : 1], otherFoot = feet[isU ? 1 : 0];
-      const double size = sizes[isU ? 0 : 1], otherSize = sizes[isU ? 1 : 0];
-      const double reach =
-          view.isParallel() ? kReachOfParallel * s * size : std::sqrt(s * size * focal * surface.height / kGap);
-      double low = foot - reach / size, high = foot + reach / size;
-      if (shown)
-        low = std::max(low, isU ? shown->left : shown->top), high = std::min(high, isU ? shown->right : shown->bottom);
-      if (surface.limits) {
-        const double limit = isU ? surface.limits->x : surface.limits->y, middle = isU ? 0 : foot;
-        low = std::max(low, middle - limit), high = std::min(high, middle + limit);
-      }
-      const double first = std::ceil(low / s), count = std::floor(high / s) - first;
-      if (!(count <= kMostLines)) continue;
-      for (int i = 0; i <= count; ++i) {
-        const double k = first + i;
-        if (level + 1 < kLevels && std::fmod(k, 10) == 0) continue;
-        const double off = (k * s - foot) * size, half = std::sqrt(std::max(0.0, reach * reach - off * off));
-        const double away = std::hypot(surface.height, off), angle = std::atan(half / away);
-        const auto at = [&](double t) {  // by equal angles at the eye
-          double other = otherFoot + away * std::tan((2 * t - 1) * angle) / otherSize;
-          if (surface.limits)
-            other = isU ? std::clamp(other, otherFoot - 180, otherFoot + 180) : std::clamp(other, -90.0, 90.0);
-          return pointOf(isU ? surface.at(k * s, other) : surface.at(other, k * s));
-        };
-        for (const Piece& piece : piecesOf(view, at, kSteps, {.extent = Extent::anyDistance})) {
-          if (piece.isHidden || distance(piece.line.front(), piece.line.back()) < kShortest) continue;
-          data += svg::line(piece.line);
-          drawing.sheet.labels.addInk(piece.line, kOfGrid);
-        }
-      }
-    }
-    if (data.empty()) continue;
-    drawing.sheet.add(Layer::grid, svg::path("grid g" + std::to_string(level), data));
-    isDrawn = true;
+  std::optional<Limit> farthest(double azimuth, double most) const override {
+    constexpr double kFar = 1e15;
+    if (!(most > rise)) return std::nullopt;
+    if (!std::isfinite(most)) return Limit{sum(base_, kFar * rise, direction(azimuth, 0)), 0, most};
+    const double radius = std::sqrt((most - rise) * (most + rise));
+    return Limit{sum(base_, radius, direction(azimuth, 0)), -std::asin(rise / most), most, "distance"};
   }
-  if (isDrawn) drawing.sheet.explain(Symbol::grid, surface.name + ": grid of " + formatDigits(step, 3) + surface.unit);
-}
-
-/// The horizon, if the view has one, and a tint up to it.
-void drawHorizon(const Drawing& drawing, const SceneObject& ground, const std::optional<Circle>& circle,
-                 const std::string& text) {
-  constexpr double kOfHorizon = 0.3;
-  const View& view = drawing.view;
-  std::vector<Piece> pieces;
-  if (circle) pieces = piecesOf(view, *circle, circle->steps(view), {Extent::anyDistance, false});
-  for (const Piece& piece : pieces) {
-    drawing.sheet.add(Layer::horizon, svg::path("horizon", svg::line(piece.line)));
-    drawing.sheet.labels.addInk(piece.line, kOfHorizon);
-    drawing.sheet.explain(Symbol::horizon, text);
+  Vec2 placeOf(const Vec3& point) const override {
+    const Vec3 from = sum(point, -1, base_);
+    return {dot(from, aside), dot(from, ahead)};
   }
-  if (drawing.sheet.hasPhoto()) return;
-  fillConvex(drawing, Layer::land, "land", pieces, [&](const Vec2& at) {
-    const Ray ray = view.rayAt(at);
-    return hitsOf(ray, ground).count > 0;
-  });
-}
+  Vec3 pointAt(const Vec2& place) const override { return sum(sum(base_, place.x, aside), place.y, ahead); }
 
-Surface surfaceOf(const View& view, const SceneObject& ground) {
-  Surface surface;
-  surface.name = ground.id;
-  surface.hit = [&view, &ground](const Vec2& at, Vec3& point) {
-    const Ray ray = view.rayAt(at);
-    const Hits hits = hitsOf(ray, ground);
-    if (hits.count > 0) point = hits.hits[0].point;
-    return hits.count > 0;
-  };
-  return surface;
-}
-
-void drawPlane(const Drawing& drawing, const SceneObject& ground, const Plane& plane) {
-  constexpr double kAlongAxis = 1 - 1e-12;
-  const View& view = drawing.view;
-  Vec3 n = unit(plane.normal);
-  double height = dot(sum(view.eye(), -1, plane.point), n);
-  if (height < 0) height = -height, n = sum({}, -1, n);
-  if (!view.isParallel() && height <= 1e-12 * (length(view.eye()) + length(plane.point))) return;
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::fabs(n[i]) > std::fabs(n[axis])) axis = i;
-  Vec3 u, v, base = plane.point;
-  if (std::fabs(n[axis]) > kAlongAxis) {
-    u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
-    base = {};
-    base[axis] = plane.point[axis];
-  } else {
-    Vec3 across = crossOf(view.camera().pose().up(), n);
-    if (length(across) < 1e-6) across = crossOf(view.camera().pose().right(), n);
-    u = unit(across);
-    v = crossOf(n, u);
-  }
-  drawHorizon(drawing, ground, view.isParallel() ? std::nullopt : std::optional(horizonOf(view, n)), "horizon");
-  Surface surface = surfaceOf(view, ground);
-  Vec3 foot = sum(view.eye(), -height, n);
-  if (view.isParallel()) (void)surface.hit(view.middle(), foot);
-  surface.height = height;
-  surface.at = [=](double a, double b) { return sum(sum(base, a, u), b, v); };
-  surface.coordinatesOf = [=](const Vec3& p) { return Vec2{dot(sum(p, -1, base), u), dot(sum(p, -1, base), v)}; };
-  surface.foot = surface.coordinatesOf(foot);
-  if (const auto width = widthBelow(view, surface)) drawGrid(drawing, surface, roundedDown(*width));
-}
-
-/// Ticks along the horizon.
-void drawAzimuths(const Drawing& drawing, const Vec3& up, double dip) {
-  constexpr double kMost = 14, kAbove = 0.004, kTick = 6, kText = 15;
-  constexpr const char* kNames[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-  const View& view = drawing.view;
-  const double span = view.camera().projection().fov(Fov::diagonal) / kMost;
-  const double steps[] = {1, 2, 5, 10, 15, 30, 45, 90};
-  const int step = static_cast<int>(*std::find_if(steps, std::end(steps) - 1, [&](double s) { return s >= span; }));
-  const Vec3 east = unit(crossOf(Vec3{0, 0, 1}, up)), north = crossOf(up, east);
-  for (int azimuth = 0; azimuth < 360; azimuth += step) {
-    const double a = azimuth * kDegrees;
-    const auto at = [&](double elevation) {
-      const Vec3 level = sum(sum({}, std::sin(a), east), std::cos(a), north);
-      return view.place(directionOf(sum(sum({}, std::cos(elevation), level), std::sin(elevation), up)),
-                        Extent::anyDistance);
-    };
-    const auto place = at(-dip), below = at(-dip - kAbove);
-    if (!place || !below) continue;
-    const double gap = distance(*place, *below);
-    const Vec2 way{(below->x - place->x) / gap, (below->y - place->y) / gap};
-    const std::string name = azimuth % 45 == 0 ? kNames[azimuth / 45] : std::to_string(azimuth) + "°";
-    const TextStyle style{"azimuth", 12};
-    const Vec2 middle{place->x + kText * way.x, place->y + kText * way.y};
-    const double half = textWidth(name, style) / 2 + 2;
-    drawing.sheet.add(Layer::marks,
-                      svg::path("tick", svg::line({*place, {place->x + kTick * way.x, place->y + kTick * way.y}})) +
-                          svg::text(style.name, {middle.x, middle.y + 4}, "middle", name));
-    drawing.sheet.labels.addMark({middle.x - half, middle.y - 8, middle.x + half, middle.y + 8});
-  }
-}
-
-void drawEarth(const Drawing& drawing, const SceneObject& ground, double heightOfSurface) {
-  constexpr double kMetresPerDegree = 111e3, kLargestDip = 20 * kDegrees;
-  const View& view = drawing.view;
-  const Geodetic place = ecefToGeodetic(view.eye());
-  const double height = place.height - heightOfSurface;
-  const double a = kWgs84.equatorial + heightOfSurface, b = kWgs84.polar + heightOfSurface;
-  const auto outline = outlineOf(view, {{0, 0, 0}, a}, b / a);
-  if (!outline || !(height > 0)) return;
-  const Vec4 p = (*outline)(0.5);
-  const Vec3 up = ellipsoidNormal(place), way = sum({p.x, p.y, p.z}, -1, view.eye());
-  const double away = length(way), dip = std::asin(std::clamp(-dot(way, up) / away, -1.0, 1.0));
-  drawHorizon(drawing, ground, *outline,
-              view.isParallel() ? "horizon"
-                                : "horizon, " + formatDigits(away / 1000, 3) + " km away, " +
-                                      formatDigits(dip / kDegrees, 3) + "° below level");
-  Surface surface = surfaceOf(view, ground);
-  surface.unit = "°";
-  surface.at = [=](double lat, double lon) { return geodeticToEcef({lat, lon, heightOfSurface}); };
-  surface.coordinatesOf = [=](const Vec3& point) {
-    const Geodetic at = ecefToGeodetic(point);
-    return Vec2{at.lat, place.lon + std::remainder(at.lon - place.lon, 360)};
-  };
-  surface.foot = {place.lat, place.lon};
-  surface.size = {kMetresPerDegree, kMetresPerDegree * std::max(0.01, std::cos(place.lat * kDegrees))};
-  surface.height = height;
-  surface.limits = {90, 180};
-  if (const auto width = widthBelow(view, surface))
-    drawGrid(drawing, surface, std::min(30.0, roundedDown(*width / kMetresPerDegree)));
-  if (!view.isParallel() && dip < kLargestDip) drawAzimuths(drawing, up, dip);
-}
-
-std::optional<double> heightOf(const SceneObject& ground) {
-  if (const auto* surface = std::get_if<HeightSurface>(&ground.shape)) return surface->height;
-  return std::holds_alternative<Ellipsoid>(ground.shape) ? std::optional(0.0) : std::nullopt;
-}
+ private:
+  SceneObject plane_;
+  Vec3 base_;  ///< below the eye
+};
 
 }  // namespace
 
-double roundedDown(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double digit : {5.0, 2.0})
-    if (digit * power <= value * 1.0001) return digit * power;
-  return power;
+double Ground::azimuthOf(const Vec3& d) const { return std::atan2(dot(d, aside), dot(d, ahead)); }
+
+Vec3 Ground::direction(double azimuth, double elevation) const {
+  const Vec3 level = sum(scaled(aside, std::sin(azimuth)), std::cos(azimuth), ahead);
+  return sum(scaled(level, std::cos(elevation)), std::sin(elevation), up);
 }
 
-const SceneObject* firstGround(const std::vector<SceneObject>& shapes) {
-  for (const SceneObject& shape : shapes)
-    if (std::holds_alternative<Plane>(shape.shape) || heightOf(shape)) return &shape;
-  return nullptr;
+bool isGround(const SceneObject& shape) {
+  return !std::holds_alternative<Sphere>(shape.shape) && !std::holds_alternative<Box>(shape.shape) &&
+         !std::holds_alternative<Triangle>(shape.shape);
 }
 
-Vec3 groundPoint(const SceneObject& ground, const Vec3& point) {
-  if (const auto* plane = std::get_if<Plane>(&ground.shape)) {
-    const Vec3 n = unit(plane->normal);
-    return sum(point, -dot(sum(point, -1, plane->point), n), n);
+std::unique_ptr<const Ground> groundOf(const SceneObject& shape, const Vec3& eye) {
+  if (const auto* const surface = std::get_if<HeightSurface>(&shape.shape))
+    return std::make_unique<HeightGround>(surface->height, eye);
+  if (std::holds_alternative<Ellipsoid>(shape.shape)) return std::make_unique<HeightGround>(0, eye);
+  if (const auto* const plane = std::get_if<Plane>(&shape.shape)) {
+    const Vec3 normal = unit(plane->normal);
+    return std::make_unique<PlaneGround>(shape, normal, dot(sum(eye, -1, plane->point), normal), eye,
+                                         length(eye) + length(plane->point));
   }
-  const Geodetic place = ecefToGeodetic(point);
-  return geodeticToEcef({place.lat, place.lon, heightOf(ground).value_or(0)});
-}
-
-void drawGround(const Drawing& drawing, const SceneObject& ground) {
-  if (const auto* plane = std::get_if<Plane>(&ground.shape)) drawPlane(drawing, ground, *plane);
-  if (const auto height = heightOf(ground)) drawEarth(drawing, ground, *height);
+  if (const auto* const plane = std::get_if<PlaneEquation>(&shape.shape)) {
+    const Vec3 normal = unit(plane->normal);
+    return std::make_unique<PlaneGround>(shape, normal, dot(eye, normal) + plane->offset / length(plane->normal), eye,
+                                         0);
+  }
+  return nullptr;
 }
 
 }  // namespace viewproj::cmd

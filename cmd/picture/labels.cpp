@@ -5,15 +5,6 @@
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
-namespace {
-
-Rect boundsOf(const Spot& spot) {
-  const Vec2 mark = spot.leader.value_or(Vec2{spot.box.left, spot.box.top});
-  return {std::min(spot.box.left, mark.x), std::min(spot.box.top, mark.y), std::max(spot.box.right, mark.x),
-          std::max(spot.box.bottom, mark.y)};
-}
-
-}  // namespace
 
 double textWidth(std::string_view utf8, const TextStyle& style) {
   constexpr std::size_t kFirstOfEastAsia = 0xE3;  // the first byte from U+3000 on
@@ -31,8 +22,13 @@ double textWidth(std::string_view utf8, const TextStyle& style) {
   return ems * style.size * (style.isBold ? 1.12 : 1);
 }
 
-Vec2 leaderEnd(const Rect& box, const Vec2& mark) {
-  return {std::clamp(mark.x, box.left, box.right), std::clamp(mark.y, box.top, box.bottom)};
+Vec2 Spot::leaderEnd() const {
+  return {std::clamp(mark->x, box.left, box.right), std::clamp(mark->y, box.top, box.bottom)};
+}
+
+Rect Spot::bounds() const {
+  const Vec2 other = mark.value_or(Vec2{box.left, box.top});
+  return boundsOf({{box.left, box.top}, {box.right, box.bottom}, other});
 }
 
 Vec2 Label::size() const {
@@ -40,10 +36,9 @@ Vec2 Label::size() const {
   return {textWidth(text, style) + beside + 4, style.size * 1.28};
 }
 
-void Label::addSpot(double cost, const Vec2& middle, const std::optional<Vec2>& leader) {
+void Label::addSpot(double cost, const Vec2& middle, const std::optional<Vec2>& mark) {
   const auto [width, height] = size();
-  spots.push_back(
-      {cost, {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2}, leader});
+  spots.push_back({cost, around(middle, width / 2, height / 2), mark});
 }
 
 void Label::addSpotsAround(const Vec2& at, double radius, int first) {
@@ -69,41 +64,39 @@ void Labels::addMark(const Rect& box) {
   if (isNew(knownMarks_, box)) marks_.add(grown(box, 1), box);
 }
 
-void Labels::addInk(const Vec2& from, const Vec2& to, double weight) {
-  if (!isNew(knownInk_, {from.x, from.y, to.x, to.y})) return;
-  ink_.add(grown(cmd::boundsOf({from, to}), 2), {from, to, weight});
+bool Labels::hasMark(const Rect& box) const {
+  return marks_.any(box, [&](const Rect& mark) { return meet(box, grown(mark, 1)); });
 }
 
 void Labels::addInk(const std::vector<Vec2>& line, double weight) {
-  for (std::size_t i = 1; i < line.size(); ++i) addInk(line[i - 1], line[i], weight);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 &from = line[i - 1], &to = line[i];
+    if (isNew(knownInk_, {from.x, from.y, to.x, to.y})) ink_.add(grown(boundsOf({from, to}), 2), {from, to, weight});
+  }
 }
 
 double Labels::costOf(const Label& label, const Spot& spot, double least) const {
   const Rect& box = spot.box;
-  if (spot.cost >= least || box.left < frame_.left + 1 || box.top < frame_.top + 1 || box.right > frame_.right - 1 ||
-      box.bottom > frame_.bottom - 1)
-    return least;
-  const std::optional<Vec2>& leader = spot.leader;
-  const Vec2 end = leader ? leaderEnd(box, *leader) : Vec2{};
-  const Rect all = boundsOf(spot);
-  const bool meetsMark = marks_.any(all, [&](const Rect& mark) {
-    return meet(box, grown(mark, 1)) || (leader && !holds(mark, *leader) && lengthWithin(*leader, end, mark) > 0);
-  });
-  if (meetsMark) return least;
+  const std::optional<Vec2>& mark = spot.mark;
+  if (spot.cost >= least || !holds(grown(frame_, -1), box) || hasMark(box)) return least;
+  const Vec2 end = mark ? spot.leaderEnd() : Vec2{};
+  const Rect all = spot.bounds();
+  const auto leaderMeets = [&](const Rect& other) { return mark && lengthWithin(*mark, end, other) > 0; };
+  const auto leaderCrosses = [&](const Vec2& a, const Vec2& b) { return mark && cross(*mark, end, a, b); };
+  if (marks_.any(all, [&](const Rect& other) { return leaderMeets(other) && !holds(other, *mark); })) return least;
   const bool meetsName = names_.any(all, [&](std::size_t index) {
     const Label& other = labels_[index];
     if (&other == &label || !other.chosen) return false;
     const Spot& taken = *other.chosen;
-    if (meet(box, grown(taken.box, 1)) || (leader && lengthWithin(*leader, end, taken.box) > 0)) return true;
-    if (!taken.leader) return false;
-    const Vec2 takenEnd = leaderEnd(taken.box, *taken.leader);
-    return lengthWithin(*taken.leader, takenEnd, box) > 0 || (leader && cross(*leader, end, *taken.leader, takenEnd));
+    if (meet(box, grown(taken.box, 1)) || leaderMeets(taken.box)) return true;
+    return taken.mark &&
+           (lengthWithin(*taken.mark, taken.leaderEnd(), box) > 0 || leaderCrosses(*taken.mark, taken.leaderEnd()));
   });
   if (meetsName) return least;
   double cost = spot.cost;
   ink_.any(all, [&](const Ink& ink) {
-    cost += ink.weight * (lengthWithin(ink.from, ink.to, grown(box, 1.5)) / 2 +
-                          (leader && cross(ink.from, ink.to, *leader, end) ? 4 : 0));
+    cost +=
+        ink.weight * (lengthWithin(ink.from, ink.to, grown(box, 1.5)) / 2 + (leaderCrosses(ink.from, ink.to) ? 4 : 0));
     return cost >= least;
   });
   return std::min(cost, least);
@@ -119,7 +112,7 @@ const std::vector<Label>& Labels::place() {
       for (const Spot& spot : labels_[i].spots)
         if (const double cost = costOf(labels_[i], spot, least); cost < least) least = cost, best = &spot;
       labels_[i].chosen = best ? std::optional(*best) : std::nullopt;
-      if (best) names_.add(grown(boundsOf(*best), 1), i);
+      if (best) names_.add(grown(best->bounds(), 1), i);
     }
   return labels_;
 }

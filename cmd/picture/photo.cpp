@@ -1,7 +1,5 @@
-#include "picture/photo.hpp"
-
-#include <optional>
-
+// A photo under a picture.
+#include "picture/picture.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"

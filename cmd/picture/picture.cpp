@@ -1,28 +1,41 @@
 #include "picture/picture.hpp"
 
 #include "picture/drawing.hpp"
+#include "picture/rim.hpp"
 
 namespace viewproj::cmd {
+namespace {
+
+std::vector<Vec2> rimOf(const View& view) {
+  constexpr int kOfLens = 256;
+  const int count = view.hasLens() ? kOfLens : 4;
+  const Rim rim(view.camera());
+  std::vector<Vec2> places;
+  for (int k = 0; k < count; ++k) places.push_back(view.onSheet(rim.at(4.0 * k / count).pixel));
+  return places;
+}
+
+}  // namespace
 
 std::string pictureOf(const Camera& camera, const PictureContent& content) {
   const View view(camera, content.shapes, content.worldIsEcef);
   Sheet sheet(view.frame(), !content.photo.empty());
-  Markers markers(view);
-  Drawing drawing{view, sheet, markers, {}, rimOf(view)};
+  Drawing drawing{view, sheet, rimOf(view), {}, {}};
   for (const NamedPoint& point : content.points) drawing.namesOfPoints.insert(point.name);
-  if (!content.photo.empty()) sheet.addPhoto(content.photo);
-  drawFaces(drawing);
-  for (const SceneObject& shape : view.shapes()) drawShape(drawing, shape);
+  if (sheet.hasPhoto) sheet.addPhoto(content.photo);
+  drawShapes(drawing);
+  drawGrounds(drawing, content.hasStems ? content.points : std::vector<NamedPoint>());
   for (const NamedArea& area : content.areas) drawArea(drawing, area);
-  if (const SceneObject* const ground = firstGround(view.shapes()); ground && content.hasStems)
-    for (const NamedPoint& point : content.points) drawStem(drawing, *ground, point);
   for (const NamedSegment& segment : content.segments) drawSegment(drawing, segment);
   for (const NamedPoint& point : content.points) drawPoint(drawing, point);
   for (const Vec2& pixel : content.pixels) drawPixel(drawing, pixel);
   drawPairs(drawing, content.points);
-  for (const std::string& note : content.notes) sheet.note(note);
-  markers.draw(sheet);
-  return sheet.svg(content.title, factsOf(view), ticksOf(view), !view.isFromTop());
+  drawing.notes.insert(drawing.notes.end(), content.notes.begin(), content.notes.end());
+  drawOutside(drawing);
+  if (const std::size_t missing = sheet.addNames(); missing > 0)
+    drawing.notes.push_back(std::to_string(missing) + " of the names have no room");
+  drawLegend(drawing);
+  return sheet.svg(content.title);
 }
 
 }  // namespace viewproj::cmd

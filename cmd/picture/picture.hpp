@@ -43,6 +43,10 @@ struct PictureContent {
   std::vector<std::string> notes = {};  ///< lines of the legend, such as what explains the misses of pairs
 };
 
+/// A JPEG or PNG file as a data URL. A picture in a page loads no other file. Throws InputError, also if the photo's
+/// size is not the viewport's: a stretched one would hide the mistake.
+std::string photoUrl(const std::string& file, const Viewport& viewport);
+
 /// The same bytes for the same content.
 std::string pictureOf(const Camera& camera, const PictureContent& content);
 

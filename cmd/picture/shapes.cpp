@@ -1,41 +1,181 @@
+// Shapes as edges and the faces between them; segments and outlines.
 #include <algorithm>
+#include <functional>
 
+#include "numbers/vectors.hpp"
 #include "picture/drawing.hpp"
-#include "picture/svg.hpp"
+#include "picture/ground.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-constexpr double kOfBelt = 0.5, kOfStem = 0.5, kOfGhost = 0.3;
+using detail::dot;
 
-/// Points of the pieces that are seen; of all if none is, which isHidden tells.
-std::vector<Vec2> pointsOf(const std::vector<Piece>& pieces, bool& isHidden) {
-  isHidden = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.isHidden; });
-  std::vector<Vec2> points;
-  for (const Piece& piece : pieces)
-    if (piece.isHidden == isHidden) points.insert(points.end(), piece.line.begin(), piece.line.end());
-  return points;
+constexpr double kOfBelt = 0.5, kOfGhost = 0.3;
+
+struct Face {
+  const SceneObject* shape;
+  const char* style;
+  std::vector<Vec3> corners;
+  Pieces outline;
+  BoxFace side = BoxFace::none;
+  double away = 0;  ///< from the eye
+};
+
+void append(Pieces& all, const Pieces& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+/// Through a lens also as it is without.
+Pieces drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b) {
+  Sheet& sheet = drawing.sheet;
+  if (drawing.view.hasLens())
+    for (const Piece& piece : piecesOf(drawing.view, a, b, {Extent::withoutLens})) {
+      if (piece.isHidden) continue;
+      sheet.addLine(Layer::lines, "ghost", piece.line);
+      sheet.labels.addInk(piece.line, kOfGhost);
+      sheet.explain("without the lens");
+    }
+  Pieces pieces = piecesOf(drawing.view, a, b);
+  sheet.addPieces(pieces, "edge", 1);
+  return pieces;
+}
+
+/// The light comes from above, the right of the eye and behind it.
+const char* toneOf(const View& view, Vec3 normal, const Vec3& way) {
+  const Pose pose = view.camera().pose();
+  if (dot(normal, way) > 0) normal = scaled(normal, -1);
+  const Vec3 light = unit(sum(sum(pose.up(), -0.75, pose.right()), -0.35, pose.forward()));
+  const double dark = 0.5 - 0.5 * dot(normal, light);
+  return dark > 0.6 ? "f3" : dark > 0.3 ? "f2" : dark > 0.16 ? "f1" : "f0";
+}
+
+/// Draws the edges of a box or a triangle. Adds its faces.
+Pieces drawEdges(const Drawing& drawing, const SceneObject& shape, std::vector<Face>& faces) {
+  using Ring = std::vector<std::size_t>;
+  static const std::vector<Ring> kOfBox{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}},
+      kOfTriangle{{0, 1, 2}};
+  const View& view = drawing.view;
+  const std::vector<Vec3> corners = cornersOf(shape);
+  const auto* const box = std::get_if<Box>(&shape.shape);
+  bool isAround = box && !view.isParallel();
+  for (std::size_t k = 0; box && k < 3; ++k)
+    isAround = isAround && box->min[k] < view.eye()[k] && view.eye()[k] < box->max[k];
+  std::map<std::pair<std::size_t, std::size_t>, Pieces> edges;
+  Pieces all;
+  int side = 0;
+  for (const Ring& ring : box ? kOfBox : kOfTriangle) {
+    Face face{&shape, "", {}, {}, box ? static_cast<BoxFace>(++side) : BoxFace::none};
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::size_t from = ring[i], to = ring[(i + 1) % ring.size()];
+      face.corners.push_back(corners[from]);
+      auto known = edges.find({to, from});
+      if (known == edges.end()) {
+        Pieces pieces = drawEdge(drawing, corners[from], corners[to]);
+        append(all, pieces);
+        append(face.outline, pieces);
+        edges[{from, to}] = std::move(pieces);
+      } else {  // of the neighbour, who went the other way
+        for (auto piece = known->second.rbegin(); piece != known->second.rend(); ++piece)
+          face.outline.push_back({piece->isHidden, {piece->line.rbegin(), piece->line.rend()}});
+      }
+    }
+    const Vec3 normal =
+        detail::crossOf(sum(face.corners[1], -1, face.corners[0]), sum(face.corners[2], -1, face.corners[0]));
+    if (!(length(normal) > 0)) continue;
+    const Vec3 middle = middleOf(face.corners);
+    face.style = toneOf(view, unit(normal), view.wayTo(middle));
+    face.away = isAround ? HUGE_VAL : apart(middle, view.eye());
+    faces.push_back(std::move(face));
+  }
+  return all;
+}
+
+/// Draws the outline, and the belt across the axis that is most upright. Adds its face.
+Pieces drawSphere(const Drawing& drawing, const SceneObject& shape, const Sphere& sphere, std::vector<Face>& faces) {
+  constexpr int kCorners = 12;
+  const View& view = drawing.view;
+  auto outline = outlineOf(view, sphere);
+  if (!outline) return {};
+  Face face{&shape, "f1", {}, piecesOf(view, *outline, outline->steps(view), {.except = &shape})};
+  drawing.sheet.addPieces(face.outline, "edge", 1);
+  const Vec3 up = view.camera().pose().up();
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::fabs(up[i]) > std::fabs(up[axis])) axis = i;
+  Circle belt{sphere.center, {}, {}};
+  belt.u[(axis + 1) % 3] = belt.v[(axis + 2) % 3] = sphere.radius;
+  drawing.sheet.addPieces(piecesOf(view, belt, belt.steps(view)), "belt", kOfBelt);
+  outline->turns = 0.5;
+  for (int i = 0; i < kCorners; ++i) face.corners.push_back(*positionOf((*outline)(i / double(kCorners))));
+  face.away = apart(middleOf(face.corners), view.eye());
+  faces.push_back(face);
+  return face.outline;
+}
+
+/// Whether the face is behind a shape, its own too, as far as its middle and places near its corners show.
+bool isHidden(const View& view, const Face& face) {
+  constexpr double kNearCorner = 0.9;
+  const bool isRound = std::holds_alternative<Sphere>(face.shape->shape);
+  const Vec3 middle = middleOf(face.corners);
+  bool isInView = false;
+  const auto isSeen = [&](const Vec3& probe) {
+    const auto at = view.place(pointOf(probe));
+    isInView = isInView || at;
+    return at && !view.hides(probe, *at, isRound ? face.shape : nullptr);
+  };
+  const bool isFree = isSeen(middle) || std::any_of(face.corners.begin(), face.corners.end(), [&](const Vec3& corner) {
+                        return isSeen(pointAlong(middle, corner, kNearCorner));
+                      });
+  return isInView && !isFree;
+}
+
+/// The outline, if its pieces join from end to end.
+std::vector<Vec2> loopOf(const Pieces& outline) {
+  constexpr double kJoin = 1;
+  std::vector<Vec2> loop;
+  for (const Piece& piece : outline) {
+    if (!loop.empty() && distance(loop.back(), piece.line.front()) > kJoin) return {};
+    loop.insert(loop.end(), piece.line.begin(), piece.line.end());
+  }
+  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
+}
+
+/// Far ones first, and first of all what the eye is in.
+void fillFaces(const Drawing& drawing, std::vector<Face>& faces) {
+  const View& view = drawing.view;
+  std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.away > b.away; });
+  for (const Face& face : faces) {
+    if (isHidden(view, face)) continue;
+    const auto loop = view.hasLens() ? loopOf(face.outline) : std::vector<Vec2>();
+    drawing.sheet.addFilled(Layer::faces, face.style, loop);
+    if (!loop.empty()) continue;
+    fillConvex(drawing, Layer::faces, face.style, face.outline, [&](const Vec2& at) {
+      const Hits hits = hitsOf(view.rayAt(at), *face.shape);
+      return hits.count > 0 && hits.hits[0].face == face.side;
+    });
+  }
+}
+
+bool isNamed(const Drawing& drawing, const std::string& name) {
+  return !name.empty() && drawing.namesOfPoints.count(name) == 0;
 }
 
 /// On the shape, where the middle and both ends of the name lie on what is seen of it; else beside it.
-void nameShape(const Drawing& drawing, const SceneObject& shape, const std::vector<Piece>& pieces,
-               const Vec3& middleOfShape) {
+void nameShape(Drawing& drawing, const SceneObject& shape, const Pieces& pieces, const Vec3& middleOfShape) {
   constexpr int kPlaces = 11;
   const View& view = drawing.view;
-  const std::string& name = shape.id;
-  if (name.empty() || drawing.namesOfPoints.count(name) > 0) return;
-  bool isHidden = false;
-  Rect seen = boundsOf(pointsOf(pieces, isHidden));
-  if (pieces.empty()) {
-    if (view.shapeAt(view.middle()) != &shape) return drawing.markers.add(name, pointOf(middleOfShape));
-    seen = view.frame();  // it is around the eye
-  }
-  Label label{name, kOfShape, rankShape};
-  label.isFaint = !pieces.empty() && isHidden;
-  const auto [width, height] = label.size();
-  const Vec2 size{seen.right - seen.left, seen.bottom - seen.top};
-  const Vec2 middle{seen.left + size.x / 2, seen.top + size.y / 2};
+  if (!isNamed(drawing, shape.id)) return;
+  const bool isFaint =
+      !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.isHidden; });
+  Pieces shown = pieces;
+  std::erase_if(shown, [&](const Piece& piece) { return piece.isHidden != isFaint; });
   const auto isOn = [&](double x, double y) { return view.shapeAt({x, y}) == &shape; };
+  const Vec2 center = middleOf(view.frame());
+  if (pieces.empty() && !isOn(center.x, center.y)) return addOutside(drawing, shape.id, pointOf(middleOfShape));
+  const Rect seen = pieces.empty() ? view.frame() : boundsOf(pointsOf(shown));  // it may be around the eye
+  Label label{shape.id, kOfShape, rankShape, isFaint};
+  const auto [width, height] = label.size();
+  const Vec2 middle = middleOf(seen), size{seen.right - seen.left, seen.bottom - seen.top};
   for (int i = 0; i < kPlaces && size.x > width / 2 && size.y > height / 2; ++i)
     for (int j = 0; j < kPlaces; ++j) {
       const double across = (i + 0.5) / kPlaces, down = (j + 0.5) / kPlaces;
@@ -51,129 +191,69 @@ void nameShape(const Drawing& drawing, const SceneObject& shape, const std::vect
   drawing.sheet.labels.add(std::move(label));
 }
 
-void drawBox(const Drawing& drawing, const SceneObject& shape, const Box& box) {
-  std::vector<Piece> pieces;
-  for (const int axis : {1, 2, 4})
-    for (int i = 0; i < 8; ++i)
-      if ((i & axis) == 0)
-        for (Piece& piece : drawEdge(drawing, cornerOf(box, i), cornerOf(box, i | axis)))
-          pieces.push_back(std::move(piece));
-  nameShape(drawing, shape, pieces, pointAlong(box.min, box.max, 0.5));
-}
-
-void drawTriangle(const Drawing& drawing, const SceneObject& shape, const Triangle& t) {
-  std::vector<Piece> pieces;
-  for (const auto& [a, b] : {std::pair(t.a, t.b), {t.b, t.c}, {t.c, t.a}})
-    for (Piece& piece : drawEdge(drawing, a, b, &shape)) pieces.push_back(std::move(piece));
-  nameShape(drawing, shape, pieces, sum(sum(sum({}, 1 / 3.0, t.a), 1 / 3.0, t.b), 1 / 3.0, t.c));
-}
-
-/// Its outline, and the belt across the axis that is most upright.
-void drawSphere(const Drawing& drawing, const SceneObject& shape, const Sphere& sphere) {
-  const View& view = drawing.view;
-  const auto outline = outlineOf(view, sphere);
-  std::vector<Piece> pieces;
-  if (outline) {
-    pieces = piecesOf(view, *outline, outline->steps(view), {.except = &shape});
-    drawing.sheet.addLines(pieces, "edge", 1);
-    const Vec3 up = view.camera().pose().up();
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (std::fabs(up[i]) > std::fabs(up[axis])) axis = i;
-    Circle belt{sphere.center, {}, {}};
-    belt.u[(axis + 1) % 3] = belt.v[(axis + 2) % 3] = sphere.radius;
-    drawing.sheet.addLines(piecesOf(view, belt, belt.steps(view)), "belt", kOfBelt);
-  }
-  nameShape(drawing, shape, pieces, sphere.center);
+/// A place that is so far along a line, and the direction of the line there.
+std::pair<Vec2, Vec2> placeAlong(const std::vector<Vec2>& line, double length) {
+  std::size_t i = 1;
+  for (; i + 1 < line.size() && length > distance(line[i - 1], line[i]); ++i) length -= distance(line[i - 1], line[i]);
+  const Vec2 way = wayFrom(line[i - 1], line[i]);
+  return {sum(line[i - 1], length, way), way};
 }
 
 }  // namespace
 
-std::vector<Piece> drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b, const SceneObject* except) {
-  Sheet& sheet = drawing.sheet;
-  if (drawing.view.hasLens())
-    for (const Piece& piece : piecesOf(drawing.view, a, b, {Extent::withoutLens, true, except})) {
-      if (piece.isHidden) continue;
-      sheet.add(Layer::lines, svg::path("ghost", svg::line(piece.line)));
-      sheet.labels.addInk(piece.line, kOfGhost);
-      sheet.explain(Symbol::ghost);
-    }
-  std::vector<Piece> pieces = piecesOf(drawing.view, a, b, {.except = except});
-  sheet.addLines(pieces, "edge", 1);
-  return pieces;
+void drawShapes(Drawing& drawing) {
+  std::vector<Face> faces;
+  for (const SceneObject& shape : drawing.view.shapes()) {
+    const auto* const sphere = std::get_if<Sphere>(&shape.shape);
+    const std::vector<Vec3> corners = cornersOf(shape);
+    if (!sphere && corners.empty()) continue;
+    const Pieces pieces = sphere ? drawSphere(drawing, shape, *sphere, faces) : drawEdges(drawing, shape, faces);
+    nameShape(drawing, shape, pieces, sphere ? sphere->center : middleOf(corners));
+  }
+  fillFaces(drawing, faces);
 }
 
-void drawShape(const Drawing& drawing, const SceneObject& shape) {
-  if (const auto* box = std::get_if<Box>(&shape.shape)) return drawBox(drawing, shape, *box);
-  if (const auto* triangle = std::get_if<Triangle>(&shape.shape)) return drawTriangle(drawing, shape, *triangle);
-  if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) return drawSphere(drawing, shape, *sphere);
-  drawGround(drawing, shape);
-}
-
-void drawSegment(const Drawing& drawing, const NamedSegment& segment) {
-  const std::vector<Piece> pieces = drawEdge(drawing, segment.a, segment.b);
+/// Named beside its longest piece that is seen.
+void drawSegment(Drawing& drawing, const NamedSegment& segment) {
+  const Pieces pieces = drawEdge(drawing, segment.a, segment.b);
   if (segment.name.empty()) return;
-  if (pieces.empty()) return drawing.markers.add(segment.name, pointOf(pointAlong(segment.a, segment.b, 0.5)));
-  // Beside its longest piece that is seen.
-  const auto lengthOf = [](const Piece& piece) {
-    double total = 0;
-    for (std::size_t i = 1; i < piece.line.size(); ++i) total += distance(piece.line[i - 1], piece.line[i]);
-    return total;
-  };
+  if (pieces.empty()) return addOutside(drawing, segment.name, pointOf(pointAlong(segment.a, segment.b, 0.5)));
   const Piece& longest = *std::max_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
-    return a.isHidden != b.isHidden ? a.isHidden : lengthOf(a) < lengthOf(b);
+    return a.isHidden != b.isHidden ? a.isHidden : lengthOf(a.line) < lengthOf(b.line);
   });
-  const std::vector<Vec2>& line = longest.line;
-  Label label{segment.name, kOfShape, rankSegment};
-  label.isFaint = longest.isHidden;
+  Label label{segment.name, kOfShape, rankSegment, longest.isHidden};
   const auto [width, height] = label.size();
-  const double total = lengthOf(longest);
-  Vec2 at = line.front();
   double cost = 0;
   for (const double share : {0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88}) {
-    double rest = share * total;
-    std::size_t i = 1;
-    for (; i + 1 < line.size() && rest > distance(line[i - 1], line[i]); ++i) rest -= distance(line[i - 1], line[i]);
-    const Vec2 &a = line[i - 1], &b = line[line.size() > 1 ? i : 0];
-    const double size = distance(a, b);
-    at = size > 0 ? between(a, b, rest / size) : a;
-    const Vec2 normal = size > 0 ? Vec2{(a.y - b.y) / size, (b.x - a.x) / size} : Vec2{0, 1};
+    if (longest.line.size() < 2) break;
+    const auto [at, way] = placeAlong(longest.line, share * lengthOf(longest.line));
+    const Vec2 normal{way.y, -way.x};
     const double gap = std::fabs(normal.x) * width / 2 + std::fabs(normal.y) * height / 2 + 3;
     const double above = normal.y > 0 ? -gap : gap;
-    label.addSpot(cost, {at.x + above * normal.x, at.y + above * normal.y});
-    label.addSpot(cost + 0.4, {at.x - above * normal.x, at.y - above * normal.y});
+    label.addSpot(cost, sum(at, above, normal));
+    label.addSpot(cost + 0.4, sum(at, -above, normal));
     cost += 0.7;
   }
-  label.addSpotsAround(at, 6, 1);
+  label.addSpotsAround(longest.line.back(), 6, 1);
   drawing.sheet.labels.add(std::move(label));
 }
 
-void drawStem(const Drawing& drawing, const SceneObject& ground, const NamedPoint& point) {
-  const Vec4& p = point.point;
-  if (p.w == 0 || !drawing.view.place(p)) return;
-  const Vec3 top{p.x / p.w, p.y / p.w, p.z / p.w};
-  drawing.sheet.addLines(piecesOf(drawing.view, top, groundPoint(ground, top)), "stem", kOfStem);
-  drawing.sheet.explain(Symbol::stem);
-}
-
-void drawArea(const Drawing& drawing, const NamedArea& area) {
-  bool isWhole = true;
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < area.corners.size(); ++i) {
-    const auto edge = piecesOf(drawing.view, area.corners[i], area.corners[(i + 1) % area.corners.size()]);
-    drawing.sheet.addLines(edge, "rim", 1);
-    isWhole = isWhole && !edge.empty();
-    for (const Piece& piece : edge) corners.insert(corners.end(), piece.line.begin(), piece.line.end());
-  }
-  if (corners.empty()) {
-    if (!area.name.empty() && !area.corners.empty()) drawing.markers.add(area.name, pointOf(area.corners[0]));
-    return;
-  }
-  drawing.sheet.addFilled(Layer::areas, "area", isWhole ? corners : hull(corners));
-  drawing.sheet.explain(Symbol::area);
-  if (area.name.empty() || drawing.namesOfPoints.count(area.name) > 0) return;
-  const Rect seen = boundsOf(corners);
-  const Vec2 middle{(seen.left + seen.right) / 2, (seen.top + seen.bottom) / 2};
+void drawArea(Drawing& drawing, const NamedArea& area) {
+  if (area.corners.empty()) return;
+  const auto& shapes = drawing.view.shapes();
+  const auto ground = std::find_if(shapes.begin(), shapes.end(), isGround);
+  const CurveOptions onGround{.except = ground == shapes.end() ? nullptr : &*ground};
+  Pieces outline;
+  for (std::size_t i = 0; i < area.corners.size(); ++i)
+    append(outline, piecesOf(drawing.view, area.corners[i], area.corners[(i + 1) % area.corners.size()], onGround));
+  if (outline.empty() && isNamed(drawing, area.name)) addOutside(drawing, area.name, pointOf(area.corners[0]));
+  if (outline.empty()) return;
+  drawing.sheet.addPieces(outline, "rim", 1);
+  const auto points = pointsOf(outline), loop = loopOf(outline);
+  drawing.sheet.addFilled(Layer::areas, "area", loop.empty() ? hull(points) : loop);
+  drawing.sheet.explain("outline on the ground");
+  if (!isNamed(drawing, area.name)) return;
+  const Vec2 middle = middleOf(boundsOf(points));
   Label label{area.name, kOfShape, rankShape};
   label.addSpot(0, middle);
   label.addSpotsAround(middle, 6, 1);

@@ -1,157 +1,163 @@
 #include "picture/sheet.hpp"
 
 #include <algorithm>
-
-#include "picture/svg.hpp"
+#include <cstdio>
 
 namespace viewproj::cmd {
 namespace {
 
-struct SymbolRow {
-  Symbol symbol;
-  const char* text;
-  const char* element;  ///< 20 wide, its middle at (10, 0)
+constexpr const char* kStyles[] = {
+#include <picture_styles.inc>
 };
 
-// clang-format off
-constexpr SymbolRow kSymbols[] = {
-    {Symbol::point, "point", R"(<circle class="dot" cx="10" r="4.5"/>)"},
-    {Symbol::hiddenPoint, "point not seen", R"(<circle class="dot hollow" cx="10" r="4.5"/>)"},
-    {Symbol::hiddenLine, "hidden", R"(<path class="edge hid" d="M0,0h19"/>)"},
-    {Symbol::ghost, "without the lens", R"(<path class="ghost" d="M0,0h19"/>)"},
-    {Symbol::cross, "pixel: first hit, distance", R"(<path class="cross" d="M2,0h16M10,-8v16"/>)"},
-    {Symbol::normal, "normal", R"(<path class="normal" d="M0,0h12"/><path class="normal head" d="M19,0l-8,-3.4v6.8Z"/>)"},
-    {Symbol::pairPixel, "pixel of the record", R"(<path class="cross" d="M4,-6l12,12m0,-12l-12,12"/>)"},
-    {Symbol::miss, "from the record's pixel to the computed one", R"(<path class="miss" d="M0,0h12"/><path class="miss head" d="M19,0l-8,-3.4v6.8Z"/>)"},
-    {Symbol::outside, "outside", R"(<path class="out" d="M15,0l-9,-6v12Z"/>)"},
-    {Symbol::behind, "behind: turn that way", R"(<path class="out hollow" d="M15,0l-9,-6v12Z"/>)"},
-    {Symbol::area, "outline on the ground", R"(<rect class="area" x="1" y="-5" width="17" height="11"/><rect class="rim" x="1" y="-5" width="17" height="11"/>)"},
-    {Symbol::stem, "down to the ground", R"(<path class="stem" d="M0,0h19"/>)"},
-    {Symbol::grid, "grid", R"(<path class="grid g1" d="M0,0h19"/>)"},
-    {Symbol::horizon, "horizon", R"(<path class="horizon" d="M0,0h19"/>)"},
-};
-// clang-format on
-
-std::string elementOf(const Label& label) {
-  const Rect& box = label.chosen->box;
-  std::string out;
-  if (label.chosen->leader) {
-    constexpr double kFromMark = 5;
-    const Vec2 mark = *label.chosen->leader, end = leaderEnd(box, mark);
-    const double size = distance(mark, end);
-    if (size > kFromMark) out = svg::path("lead", svg::line({between(mark, end, kFromMark / size), end}));
-  }
-  std::string inner = svg::escaped(label.text);
-  if (!label.note.empty()) inner += "<tspan class=\"note\" dx=\"5\">" + svg::escaped(label.note) + "</tspan>";
-  const Vec2 at{(box.left + box.right) / 2, box.bottom - 0.36 * label.style.size};
-  return out + svg::text(std::string(label.style.name) + (label.isFaint ? " faint" : ""), at, "middle", inner);
+/// With one decimal, if it is not 0.
+std::string number(double value) {
+  char digits[400];
+  std::snprintf(digits, sizeof digits, "%.1f", value);
+  std::string text = digits;
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text == "-0" ? "0" : text;
 }
 
-/// Rows of items below the frame, as many a row as fit.
-class Rows {
- public:
-  Rows(const Rect& frame, double top) : frame_(frame), x_(frame.left), y_(top) {}
+std::string dataOf(const std::vector<Vec2>& line, bool isClosed = false) {
+  std::string data;
+  for (const Vec2& p : line) data += (data.empty() ? "M" : "L") + number(p.x) + "," + number(p.y);
+  return data + (isClosed ? "Z" : "");
+}
 
-  void add(const std::string& text, const std::string& symbol = "") {
-    constexpr double kGap = 16, kOfSymbol = 26;
-    const double before = symbol.empty() ? 0 : kOfSymbol, width = before + textWidth(text, kOfLegend);
-    if (x_ + width > frame_.right && x_ > frame_.left) next();
-    if (!symbol.empty())
-      elements_ += "<g transform=\"translate(" + svg::pair({x_, y_ - 4}) + ")\">" + symbol + "</g>\n";
-    elements_ += svg::text(kOfLegend.name, {x_ + before, y_}, "start", svg::escaped(text));
-    right_ = std::max(right_, x_ + width);
-    x_ += width + kGap;
-  }
-  void next() {
-    constexpr double kHeight = 19;
-    if (x_ > frame_.left) y_ += kHeight;
-    x_ = frame_.left;
-  }
-  const std::string& elements() const { return elements_; }
-  double right() const { return right_; }
-  double bottom() const { return y_; }
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return out;
+}
 
- private:
-  Rect frame_;
-  double x_, y_, right_ = 0;
-  std::string elements_;
-};
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string styled(const char* element, std::string_view style) {
+  return std::string("<") + element + attribute("class", style);
+}
+
+std::string path(std::string_view style, const std::string& data) {
+  return styled("path", style) + attribute("d", data) + "/>\n";
+}
+
+std::string boxOf(const Rect& box) {
+  return attribute("x", number(box.left)) + attribute("y", number(box.top)) +
+         attribute("width", number(box.right - box.left)) + attribute("height", number(box.bottom - box.top));
+}
+
+/// inner: elements and escaped text.
+std::string textElement(std::string_view style, const Vec2& at, std::string_view anchor, const std::string& inner) {
+  return styled("text", style) + (anchor == "start" ? "" : attribute("text-anchor", anchor)) +
+         attribute("x", number(at.x)) + attribute("y", number(at.y)) + ">" + inner + "</text>\n";
+}
 
 }  // namespace
 
-void Sheet::explain(Symbol symbol, const std::string& text) {
-  std::string& known = symbols_[symbol];
-  if (known.find(text) == std::string::npos) known += (known.empty() ? "" : "; ") + text;
-}
-
 void Sheet::addPhoto(const std::string& url) {
-  std::string image = svg::rect("photo", frame_);
-  image.replace(0, std::string("<rect").size(), "<image href=\"" + url + "\" preserveAspectRatio=\"none\"");
-  add(Layer::photo, image);
+  in(Layer::photo).areas = styled("image", "photo") + attribute("preserveAspectRatio", "none") + boxOf(frame) +
+                           attribute("href", url) + "/>\n";
 }
 
-void Sheet::addLines(const std::vector<Piece>& pieces, const std::string& style, double weight) {
+void Sheet::addLine(Layer layer, const std::string& style, const std::vector<Vec2>& line, bool isClosed) {
+  auto& lines = in(layer).lines;
+  auto known = std::find_if(lines.begin(), lines.end(), [&](const auto& each) { return each.first == style; });
+  if (known == lines.end()) known = lines.insert(known, {style, ""});
+  known->second += dataOf(line, isClosed);
+}
+
+void Sheet::addPieces(const Pieces& pieces, const std::string& style, double weight) {
   constexpr double kOfHidden = 0.4, kShortest = 0.05;
   for (const Piece& piece : pieces) {
-    const Rect box = boundsOf(piece.line);
-    if (!(std::max(box.right - box.left, box.bottom - box.top) > kShortest)) continue;
-    const std::string data = svg::line(piece.line);
-    if (hasPhoto_) add(Layer::lines, svg::path("halo", data));
-    add(Layer::lines, svg::path(style + (piece.isHidden ? " hid" : ""), data));
+    if (!(largerSide(boundsOf(piece.line)) > kShortest)) continue;
+    if (hasPhoto) addLine(Layer::halo, "halo", piece.line);
+    addLine(Layer::lines, style + (piece.isHidden ? " hid" : ""), piece.line);
     labels.addInk(piece.line, weight * (piece.isHidden ? kOfHidden : 1));
-    if (piece.isHidden) explain(Symbol::hiddenLine);
+    if (piece.isHidden) explain("hidden");
   }
 }
 
-void Sheet::addMark(const Vec2& at, double radius, const std::string& element) {
-  add(Layer::marks, element);
-  labels.addMark(grown({at.x, at.y, at.x, at.y}, radius));
+void Sheet::addFilled(Layer layer, const std::string& style, const std::vector<Vec2>& corners) {
+  if (corners.size() > 2) in(layer).areas += path(style + (hasPhoto ? " glass" : ""), dataOf(corners, true));
+}
+
+void Sheet::addText(Layer layer, const TextStyle& style, const Vec2& at, const char* anchor, const std::string& text) {
+  in(layer).areas += textElement(style.name, at, anchor, escaped(text));
+  if (anchor == std::string_view("start"))
+    end_ = {std::max(end_.x, at.x + textWidth(text, style)), std::max(end_.y, at.y)};
+}
+
+void Sheet::addSymbol(const std::string& elements, const Vec2& at) {
+  in(Layer::texts).areas +=
+      "<g transform=\"translate(" + number(at.x) + "," + number(at.y) + ")\">" + elements + "</g>\n";
+}
+
+void Sheet::addDot(const Vec2& at, double radius, bool isHollow) {
+  in(Layer::marks).areas += styled("circle", isHollow ? "dot hollow" : "dot") + attribute("cx", number(at.x)) +
+                            attribute("cy", number(at.y)) + attribute("r", number(radius)) + "/>\n";
+  labels.addMark(around(at, radius, radius));
+}
+
+void Sheet::addCross(const Vec2& at, double size, bool isUpright) {
+  const Vec2 first = isUpright ? Vec2{size, 0} : Vec2{size, size},
+             second = isUpright ? Vec2{0, size} : Vec2{size, -size};
+  for (const Vec2& arm : {first, second}) addLine(Layer::marks, "cross", {sum(at, -1, arm), sum(at, 1, arm)});
+  labels.addMark(around(at, size, size));
 }
 
 void Sheet::addArrow(const Vec2& from, const Vec2& to, const std::string& style) {
   constexpr double kHead = 8, kHalfWidth = 0.42, kInk = 2;
-  const double size = distance(from, to), head = std::min(kHead, 0.6 * size);
-  const Vec2 way{(to.x - from.x) / size, (to.y - from.y) / size}, neck{to.x - head * way.x, to.y - head * way.y};
-  const Vec2 side{-kHalfWidth * head * way.y, kHalfWidth * head * way.x};
-  if (hasPhoto_) add(Layer::marks, svg::path("halo", svg::line({from, to})));
-  add(Layer::marks, svg::path(style, svg::line({from, neck})));
-  add(Layer::marks,
-      svg::path(style + " head",
-                svg::line({to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}}, true)));
-  labels.addInk(from, to, kInk);
+  const double head = std::min(kHead, 0.6 * distance(from, to));
+  const Vec2 way = wayFrom(from, to), side{-way.y, way.x}, neck = sum(to, -head, way);
+  if (hasPhoto) addLine(Layer::halo, "halo", {from, to});
+  addLine(Layer::marks, style, {from, neck});
+  addLine(Layer::marks, style + " head", {to, sum(neck, kHalfWidth * head, side), sum(neck, -kHalfWidth * head, side)},
+          true);
+  labels.addInk({from, to}, kInk);
 }
 
-void Sheet::addFilled(Layer layer, const std::string& style, const std::vector<Vec2>& corners) {
-  if (corners.size() > 2) add(layer, svg::path(style + (hasPhoto_ ? " glass" : ""), svg::line(corners, true)));
+void Sheet::explain(const std::string& symbol, const std::string& text) {
+  std::string& known = symbols_[symbol];
+  if (known.find(text) == std::string::npos) known += (known.empty() ? "" : "; ") + text;
 }
 
-std::string Sheet::svg(const std::string& title, const std::vector<std::string>& facts, const std::string& ticks,
-                       bool ticksBelow) {
-  constexpr double kMargin = 22, kBelow = 26, kOfTicks = 20;
-  std::string names;
+void Sheet::addName(const Label& label) {
+  constexpr double kFromMark = 5, kBaseline = 0.36;
+  const Spot& spot = *label.chosen;
+  if (spot.mark && distance(*spot.mark, spot.leaderEnd()) > kFromMark)
+    addLine(Layer::texts, "lead",
+            {sum(*spot.mark, kFromMark, wayFrom(*spot.mark, spot.leaderEnd())), spot.leaderEnd()});
+  std::string inner = escaped(label.text);
+  if (!label.note.empty()) inner += "<tspan class=\"note\" dx=\"5\">" + escaped(label.note) + "</tspan>";
+  in(Layer::texts).areas +=
+      textElement(std::string(label.style.name) + (label.isFaint ? " faint" : ""),
+                  {middleOf(spot.box).x, spot.box.bottom - kBaseline * label.style.size}, "middle", inner);
+}
+
+std::size_t Sheet::addNames() {
   std::size_t missing = 0;
-  for (const Label& label : labels.place()) label.chosen ? void(names += elementOf(label)) : void(++missing);
-  if (missing > 0) note(std::to_string(missing) + " of the names have no room");
-  Rows rows(frame_, frame_.bottom + kBelow + (ticksBelow ? kOfTicks : 0));
-  for (const std::string& fact : facts) rows.add(fact);
-  rows.next();
-  for (const SymbolRow& row : kSymbols)
-    if (const auto found = symbols_.find(row.symbol); found != symbols_.end())
-      rows.add(found->second.empty() ? row.text : found->second, row.element);
-  for (const std::string& line : notes_) {
-    rows.next();
-    rows.add(line);
+  for (const Label& label : labels.place()) label.chosen ? addName(label) : void(++missing);
+  return missing;
+}
+
+std::string Sheet::svg(const std::string& title) {
+  constexpr double kMargin = 22, kTitleLine = 24;
+  addText(Layer::texts, kTitle, {frame.left, kTitleLine}, "start", title);
+  const Vec2 size{std::max(end_.x, frame.right) + kMargin, end_.y + kMargin};
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(size.x) + " " + number(size.y) +
+                    "\" font-family=\"Helvetica, Arial, DejaVu Sans, sans-serif\">\n<title>" + escaped(title) +
+                    "</title>\n" + kStyles[0] + "<clipPath id=\"frame\"><rect" + boxOf(frame) + "/></clipPath>\n" +
+                    styled("rect", "page") + boxOf({0, 0, size.x, size.y}) + "/>\n" + styled("rect", "sky") +
+                    boxOf(frame) + "/>\n<g clip-path=\"url(#frame)\">\n";
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    if (i == static_cast<std::size_t>(Layer::texts)) out += "</g>\n" + styled("rect", "frame") + boxOf(frame) + "/>\n";
+    out += layers_[i].areas;
+    for (const auto& [style, data] : layers_[i].lines) out += path(style, data);
   }
-  const double right = std::max({frame_.right, rows.right(), frame_.left + textWidth(title, {"title", 17, true})});
-  const Vec2 size{right + kMargin, rows.bottom() + kMargin};
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + svg::number(size.x) + " " +
-                    svg::number(size.y) + "\" font-family=\"Helvetica, Arial, DejaVu Sans, sans-serif\">\n<title>" +
-                    svg::escaped(title) + "</title>\n" + svg::kStyles + "<clipPath id=\"frame\">" +
-                    svg::rect("", frame_) + "</clipPath>\n" + svg::rect("page", {0, 0, size.x, size.y}) +
-                    svg::text("title", {frame_.left, 24}, "start", svg::escaped(title)) + svg::rect("sky", frame_) +
-                    "<g clip-path=\"url(#frame)\">\n";
-  for (const std::string& layer : layers_) out += layer;
-  return out + "</g>\n" + svg::rect("frame", frame_) + ticks + names + rows.elements() + "</svg>\n";
+  return out + "</svg>\n";
 }
 
 }  // namespace viewproj::cmd

@@ -13,12 +13,9 @@ namespace viewproj::cmd {
 
 inline Vec4 pointOf(const Vec3& a) { return {a.x, a.y, a.z, 1}; }
 inline Vec4 directionOf(const Vec3& a) { return {a.x, a.y, a.z, 0}; }
-inline Vec3 cornerOf(const Box& box, int i) {
-  return {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y, (i & 4 ? box.max : box.min).z};
-}
-
-inline Hits hitsOf(const Ray& ray, const SceneObject& object) {
-  return std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
+/// Nothing of a direction.
+inline std::optional<Vec3> positionOf(const Vec4& p) {
+  return p.w == 0 ? std::nullopt : std::optional(Vec3{p.x / p.w, p.y / p.w, p.z / p.w});
 }
 
 /// Which points count as in the picture: those in view, those at any distance (nearer than near and beyond far as
@@ -36,13 +33,16 @@ class View {
   bool isParallel() const { return camera_.projection().isOrthographic(); }
   bool hasLens() const { return lensOf(camera_).has_value(); }
   Vec3 eye() const { return eye_; }
+  /// From the eye to a point, or the direction of all rays.
+  Vec3 wayTo(const Vec3& point) const { return isParallel() ? camera_.pose().forward() : sum(point, -1, eye_); }
   const Rect& frame() const { return frame_; }
-  Vec2 middle() const { return between({frame_.left, frame_.top}, {frame_.right, frame_.bottom}, 0.5); }
   bool isFromTop() const { return camera_.viewport().origin == Origin::topLeft; }
   double scale() const { return scale_; }
 
   Vec2 onSheet(const Vec2& screen) const;
   Vec2 offSheet(const Vec2& at) const;
+  /// Where a point is on the sheet, in the frame or not; nothing where it has no pixel.
+  std::optional<Vec2> pixelOf(const Vec4& point) const;
   /// Where a point is on the sheet; nothing where it is not in the picture.
   std::optional<Vec2> place(const Vec4& point, Extent extent = Extent::view) const;
 
@@ -52,7 +52,6 @@ class View {
   bool hides(const Vec3& point, const Vec2& at, const SceneObject* except = nullptr) const;
   /// The shape that is seen there.
   const SceneObject* shapeAt(const Vec2& at) const;
-  bool canHide() const { return worldIsEcef_ || !shapes_.empty(); }
 
   /// The largest angle between the viewing axis and what the picture shows, in radians.
   double reach() const { return reach_; }
@@ -60,12 +59,8 @@ class View {
   const Frustum& frustum() const { return frustum_; }
 
  private:
-  /// The shapes that may be seen there, until use(shape) is true.
-  template <class Use>
-  bool anyShapeAt(const Vec2& at, Use use) const {
-    return candidates_.any({at.x, at.y, at.x, at.y}, [&](std::size_t i) { return use(shapes_[i]); });
-  }
-  Rect boundsOf(const SceneObject& shape) const;
+  /// Where a ray first hits a shape; infinite where it does not.
+  double distanceTo(std::size_t shape, const Ray& ray) const;
 
   Camera camera_, pinhole_;
   std::vector<SceneObject> shapes_;
@@ -75,8 +70,12 @@ class View {
   double scale_, reach_;
   Rect frame_;
   Frustum frustum_;
-  Cells<std::size_t> candidates_;
+  std::vector<Sphere> around_;  ///< the shapes; infinite if they are
 };
+
+/// The corners of a box, in the order of the bits of x, y and z, or of a triangle; none of other shapes.
+std::vector<Vec3> cornersOf(const SceneObject& shape);
+Vec3 middleOf(const std::vector<Vec3>& points);
 
 /// A circle, or a part of it that holds all that the picture shows of it.
 struct Circle {

@@ -46,40 +46,45 @@ for preset in opengl opengl-lh d3d d3d-rh vulkan metal webgpu unity unreal openc
   points | viewproj project -c "$from" --fields screen,visible | sed "1d; s/^/$preset,/"
 done | awk -F, '
   function style(differs) { return differs ? " differs" : "" }
-  function line(from, to, class) { printf "<path class=\"%s\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", class, x[from], y[from], x[to], y[to] }
+  function line(from, to) { return sprintf("M%.1f %.1fL%.1f %.1f", x[from], y[from], x[to], y[to]) }
   function face(side) {
-    printf "<path class=\"%s\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n", side,
-      x[side 0], y[side 0], x[side 1], y[side 1], x[side 2], y[side 2], x[side 3], y[side 3]
+    return sprintf("<path class=\"%s\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n", side,
+      x[side 0], y[side 0], x[side 1], y[side 1], x[side 2], y[side 2], x[side 3], y[side 3])
   }
   function label(name, toX, toY, differs) {
     printf "<text class=\"label%s\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", style(differs), x[name] + toX, y[name] + toY, text[name]
+  }
+  # The view volume: where all conventions put it, once.
+  function volume(   i, edges, rays, drawn) {
+    for (i = 0; i < 4; ++i) { edges = edges line("n" i, "f" i); rays = rays line("eye", "n" i) }
+    drawn = face("f") "<path class=\"edge\" d=\"" edges "\"/>\n<path class=\"ray\" d=\"" rays "\"/>\n" face("n")
+    if (drawn == ofOpengl["volume"]) { print "<use href=\"#volume\"/>"; return }
+    if (preset == "opengl") ofOpengl["volume"] = drawn
+    printf "<g%s>\n%s</g>\n", preset == "opengl" ? " id=\"volume\"" : "", drawn
   }
   # An axis differs where its end does.
   function axes(from, names,   i, far, differs) {
     for (i = 0; i < 3; ++i) {
       differs = (x[names i] - ofOpengl["x" names i]) ^ 2 + (y[names i] - ofOpengl["y" names i]) ^ 2 > 1
-      line(from, names i, "axis" style(differs))
+      printf "<path class=\"axis%s\" d=\"%s\"/>", style(differs), line(from, names i)
       far = sqrt((x[names i] - x[from]) ^ 2 + (y[names i] - y[from]) ^ 2)
       label(names i, 32 * (x[names i] - x[from]) / far, 20 * (y[names i] - y[from]) / far + 7, differs)
     }
   }
-  function panel(   i, side, differs) {
+  function panel(   i) {
     printf "<svg x=\"%d\" y=\"%d\" width=\"400\" height=\"290\" viewBox=\"-16 0 720 522\">\n", 10 + 400 * (panels % 3), 60 + 300 * int(panels / 3)
     printf "<rect class=\"panel\" x=\"-12\" y=\"3\" width=\"708\" height=\"516\"/><text class=\"name\" x=\"4\" y=\"36\">%s</text>\n", preset
-    face("f")
-    for (i = 0; i < 4; ++i) { line("n" i, "f" i, "edge"); line("eye", "n" i, "ray") }
-    face("n")
+    volume()
     axes("eye", "v")
     axes("world", "w")
     for (i = 0; i < 4; ++i) {
       label("f" i, i == 3 ? 40 : 8, i < 2 ? -10 : i == 2 ? 28 : 8, text["f" i] != ofOpengl["f" i])
       label("n" i, i == 3 ? 6 : i == 2 ? 46 : i ? 26 : -26, i < 2 ? -14 : i == 2 ? 26 : 78, text["n" i] != ofOpengl["n" i])
     }
-    for (i = 0; i < clauses; ++i) {
-      differs = words[i] != ofOpengl["words" i]
-      printf "<text class=\"words%s\" x=\"4\" y=\"%d\">%s</text>\n", style(differs), 408 + 24 * i, words[i]
-    }
-    print "</svg>"
+    printf "<text>"
+    for (i = 0; i < clauses; ++i)
+      printf "<tspan class=\"words%s\" x=\"4\" y=\"%d\">%s</tspan>", style(words[i] != ofOpengl["words" i]), 408 + 24 * i, words[i]
+    print "</text>\n</svg>"
     ++panels
   }
   $1 != preset { if (preset) panel(); preset = $1; clauses = 0 }
@@ -99,10 +104,10 @@ done | awk -F, '
     print "<title>Eleven conventions: the same camera in each, and what differs from opengl</title>"
     print "<style>.ground{fill:#fff}.panel{fill:none;stroke:#d5dbe1}text{fill:#1d2733;font-size:19px;paint-order:stroke;stroke:#fff;stroke-width:4px}" \
       ".title{font-size:20px;font-weight:600}.name{font-weight:600;font-size:26px}.label{text-anchor:middle}.words{fill:#4a5663}" \
-      "text.differs,.mark{fill:#b93a08;font-weight:600}.f,.n{fill:#4477aa;fill-opacity:.1;stroke:#4477aa}.n{fill-opacity:.3}.edge{stroke:#4477aa}" \
+      "text.differs,.words.differs,.mark{fill:#b93a08;font-weight:600}.f,.n{fill:#4477aa;fill-opacity:.1;stroke:#4477aa}.n{fill-opacity:.3}.edge{stroke:#4477aa}" \
       ".ray{stroke:#4477aa;stroke-dasharray:4 4}.axis{stroke:#1d2733;stroke-width:3.5;marker-end:url(#tip)}.axis.differs{stroke:#c2410c}#tip{fill:context-stroke}" \
       "@media(prefers-color-scheme:dark){.ground{fill:#12181f}.panel{stroke:#33404d}text{fill:#e6edf3;stroke:#12181f}.words{fill:#9aa7b4}" \
-      "text.differs,.mark{fill:#ffa37c}.f,.n{fill:#7fb0e0;stroke:#7fb0e0;fill-opacity:.12}.n{fill-opacity:.3}.edge,.ray{stroke:#7fb0e0}.axis{stroke:#e6edf3}.axis.differs{stroke:#ff8a57}}</style>"
+      "text.differs,.words.differs,.mark{fill:#ffa37c}.f,.n{fill:#7fb0e0;stroke:#7fb0e0;fill-opacity:.12}.n{fill-opacity:.3}.edge,.ray{stroke:#7fb0e0}.axis{stroke:#e6edf3}.axis.differs{stroke:#ff8a57}}</style>"
     print "<marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"6\" refY=\"4\" markerWidth=\"4\" markerHeight=\"4\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\"/></marker>"
     print "<rect class=\"ground\" width=\"1220\" height=\"1270\"/><text class=\"title\" x=\"12\" y=\"36\">The same camera in eleven conventions, " \
       "and <tspan class=\"mark\">what differs from opengl</tspan></text>"

@@ -34,9 +34,9 @@ ScreenBox frameOf(const std::string& svg) {
   return {x, y, x + attribute(frame, "width"), y + attribute(frame, "height")};
 }
 
-std::vector<Vec2> placesIn(const std::string& path) {
+std::vector<Vec2> placesIn(const std::string& line) {
   std::vector<Vec2> places;
-  for (const std::string& place : elements(path, "[ML][-0-9.]+,[-0-9.]+")) {
+  for (const std::string& place : elements(line, "[ML][-0-9.]+,[-0-9.]+")) {
     Vec2 at;
     REQUIRE(std::sscanf(place.c_str() + 1, "%lf,%lf", &at.x, &at.y) == 2);
     places.push_back(at);
@@ -44,12 +44,12 @@ std::vector<Vec2> placesIn(const std::string& path) {
   return places;
 }
 
-/// Lines of a style that are drawn, not those of the legend.
+/// Lines of a style that are drawn, not those of the legend. Each begins with an M.
 std::vector<std::vector<Vec2>> linesOf(const std::string& svg, const std::string& style) {
   std::vector<std::vector<Vec2>> lines;
   for (const std::string& path :
        elements(svg.substr(0, svg.find("class=\"frame\"")), "<path class=\"" + style + "\"[^>]*>"))
-    lines.push_back(placesIn(path));
+    for (const std::string& line : elements(path, "M[^M\"]*")) lines.push_back(placesIn(line));
   return lines;
 }
 

@@ -7,7 +7,8 @@ untimed() { sed -nE 's/^ *((standard|exact|matrix (double|float32)) +)[0-9.]+ +/
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$2" | untimed >"$work/shown"
-"$1" measure -c "$3/camera.json" "$3/points.txt" | untimed >"$work/printed"
+PATH=$(cd "$(dirname "$1")" && pwd):$PATH
+(cd "$3" && sh points.sh | viewproj measure -c camera.json) | untimed >"$work/printed"
 [ "$(wc -l <"$work/shown")" = 4 ] || { echo "the page shows $(wc -l <"$work/shown") rows, not 4"; exit 1; }
 diff -u "$work/shown" "$work/printed"
 echo "the errors and bounds of the page's table are those measured"
