@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "commands/check/mend.hpp"
 #include "commands/check/words.hpp"
@@ -11,31 +12,16 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
-constexpr double kStep = 1.001;
-constexpr Kept kOfEach = {1000, 512};  ///< of each camera of a set
-
 OrderedJson orNull(const std::string& text) { return text.empty() ? OrderedJson(nullptr) : OrderedJson(text); }
+OrderedJson orNull(double number) { return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr); }
 
-OrderedJson explained(const char* mistake, const std::string& sentence) {
-  return {
-      {"mistake", mistake},      {"sentence", sentence}, {"value", nullptr},       {"mend", nullptr},
-      {"pairs", nullptr},        {"rmsMiss", nullptr},   {"largestMiss", nullptr}, {"wrongPairs", OrderedJson::array()},
-      {"camerasMended", nullptr}};
+double inStep(double miss) {
+  const double step = std::log(1.001);
+  return std::exp(std::ceil(std::log(std::max(miss, 1e-300)) / step) * step);
 }
 
-/// A report of all pairs.
-OrderedJson whole(bool agrees, std::size_t records, std::size_t noPixel, double within, const OrderedJson& statistics,
-                  std::size_t judged, const std::vector<std::size_t>& wrong, const OrderedJson& list,
-                  const OrderedJson& cameras) {
-  OrderedJson report{{"agrees", agrees}, {"records", records}, {"noPixel", noPixel}, {"within", within}};
-  report.update(statistics);
-  const bool isOpen = !agrees && list.empty() && wrong.empty();
-  report.update(OrderedJson{{"judged", judged},
-                            {"wrongPairs", wrong},
-                            {"explanations", list},
-                            {"verdict", isOpen ? OrderedJson("no explanation found") : OrderedJson(nullptr)},
-                            {"cameras", cameras}});
-  return report;
+bool isWithin(const std::vector<Vec2>& misses, double within) {
+  return std::all_of(misses.begin(), misses.end(), [&](const Vec2& miss) { return length(miss) <= within; });
 }
 
 }  // namespace
@@ -48,208 +34,177 @@ void Misses::add(double miss, std::size_t line) {
     largest_ = miss;
     worst_ = line;
   }
-  if (count_ <= most_) return exact_.push_back(miss);
-  const auto step = [&](double each) {
-    ++steps_[static_cast<int>(std::ceil(std::log(std::max(each, 1e-300)) / std::log(kStep)))];
-  };
-  for (const double each : exact_) step(each);
-  exact_.clear();
-  step(miss);
+  ++counts_[isInSteps_ ? inStep(miss) : miss];
+  if (isInSteps_ || counts_.size() <= exact_) return;
+  isInSteps_ = true;
+  for (const auto& [each, count] : std::exchange(counts_, {})) counts_[inStep(each)] += count;
 }
 
 double Misses::at(std::size_t rank) const {
-  if (!exact_.empty()) {
-    std::vector<double> sorted = exact_;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
-    return sorted[rank];
-  }
   std::size_t below = 0;
-  for (const auto& [step, count] : steps_)
-    if ((below += count) > rank) return std::min(largest_, std::pow(kStep, step));
-  return largest_;
+  for (const auto& [miss, count] : counts_)
+    if ((below += count) > rank) return std::min(largest_, miss);
+  return NAN;
 }
 
 OrderedJson Misses::statistics() const {
-  const bool has = count_ > 0;
   const auto n = static_cast<double>(count_);
-  const auto orNone = [&](double value) {
-    return has && std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-  };
-  return {{"rmsMiss", orNone(std::sqrt(squares_ / n))},
-          {"meanMiss", orNone(sum_ / n)},
-          {"medianMiss", orNone(has ? (at((count_ - 1) / 2) + at(count_ / 2)) / 2 : NAN)},
-          {"miss95", orNone(has ? at((95 * count_ + 99) / 100 - 1) : NAN)},
-          {"largestMiss", orNone(largest_)},
-          {"worst", has ? OrderedJson(worst_) : OrderedJson(nullptr)}};
+  return {{"rmsMiss", orNull(std::sqrt(squares_ / n))},
+          {"meanMiss", orNull(sum_ / n)},
+          {"medianMiss", orNull((at((count_ - 1) / 2) + at(count_ / 2)) / 2)},
+          {"miss95", orNull(at((95 * count_ + 99) / 100 - 1))},
+          {"largestMiss", orNull(count_ > 0 ? largest_ : NAN)},
+          {"worst", count_ > 0 ? OrderedJson(worst_) : OrderedJson(nullptr)}};
 }
 
-// ---- One camera
+// ---- A camera
 
-PairReport::PairReport(const CameraFile& file, double within, const Kept& kept)
-    : file_(file), camera_(makeCamera(file)), within_(within), most_(kept.pairs), misses_(kept.exact) {}
+CheckedCamera::CheckedCamera(const CameraFile& file, double within, std::size_t exact, std::size_t most)
+    : file_(file), camera_(makeCamera(file)), within_(within), most_(most), misses_(exact) {}
 
-std::optional<double> PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
+std::optional<double> CheckedCamera::add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
   const std::size_t index = records_++;
   const ScreenPoint at = worldToScreen(camera_, point);
   const bool isSeen = at.status == PointStatus::inFront;
   if (isSeen != pixel.has_value()) ++noPixel_;
   if (!pixel) return std::nullopt;
-  std::optional<double> miss;
-  if (isSeen) {
-    miss = std::hypot(at.x - pixel->x, at.y - pixel->y);
-    if (std::isnan(*miss)) miss = HUGE_VAL;
-    misses_.add(*miss, line);
+  const Vec2 miss = Vec2{at.x, at.y} - *pixel;
+  if (index % stride_ == 0) pairs_.push_back({point, *pixel, line, miss});
+  if (pairs_.size() > most_) {
+    std::size_t place = 0;
+    std::erase_if(pairs_, [&](const Pair&) { return place++ % 2 == 1; });
+    stride_ *= 2;
   }
-  if (index % stride_ != 0) return miss;
-  pairs_.push_back({point, *pixel});
-  lines_.push_back(line);
-  if (pairs_.size() <= most_) return miss;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pairs_.size(); i += 2, ++kept) {
-    pairs_[kept] = pairs_[i];
-    lines_[kept] = lines_[i];
-  }
-  pairs_.resize(kept);
-  lines_.resize(kept);
-  stride_ *= 2;
-  return miss;
+  if (!isSeen) return std::nullopt;
+  const double distance = std::hypot(miss.x, miss.y);
+  misses_.add(std::isnan(distance) ? HUGE_VAL : distance, line);
+  return distance;
 }
 
-std::vector<std::size_t> PairReport::linesOf(const std::vector<std::size_t>& pairs) const {
-  std::vector<std::size_t> lines;
-  for (const std::size_t i : pairs) lines.push_back(lines_[i]);
-  return lines;
+std::vector<std::size_t> CheckedCamera::wrongLines() const {
+  std::vector<std::size_t> wrong;
+  for (const Pair& pair : pairs_)
+    if (!(length(pair.miss) <= within_)) wrong.push_back(pair.line);
+  const bool areFew = pairs_.size() >= 4 && wrong.size() <= std::max<std::size_t>(1, pairs_.size() / 4);
+  return areFew ? wrong : std::vector<std::size_t>{};
 }
 
-std::vector<std::size_t> PairReport::wrongLines() const {
-  std::vector<Vec2> misses;
-  for (const Pair& pair : pairs_) {
-    const ScreenPoint at = worldToScreen(camera_, pair.point);
-    misses.push_back({at.x - pair.pixel.x, at.y - pair.pixel.y});
-  }
-  return linesOf(wrongPairs(misses, within_));
-}
-
-std::vector<Explanation> PairReport::explanations() const {
-  return explain(file_.document, file_.reading, pairs_, within_);
-}
-
-Mend PairReport::mendOf(const Explanation& e) const { return mistakes::mendOf(file_, e, pairs_); }
-
-OrderedJson PairReport::asJson(const Explanation& e, const Mend& mend) const {
-  const std::vector<std::size_t> wrong = linesOf(e.wrong);
-  OrderedJson one = explained(e.hypothesis.mistake.c_str(), sentenceOf(file_, e, wrong, within_));
-  one["value"] = OrderedJson(e.hypothesis.value);
-  one["mend"] = orNull(mend.options());
-  one["pairs"] = orNull(wordsForPairs(e.hypothesis, mend.pixels));
-  one["rmsMiss"] = std::numbers::sqrt2 * e.rms;
-  one["largestMiss"] = e.largest;
-  one["wrongPairs"] = wrong;
-  return one;
-}
-
-OrderedJson PairReport::pixelOrderExplained() const {
-  OrderedJson list = OrderedJson::array();
-  const std::vector<std::size_t> order = pixelOrder(camera_, pairs_, within_);
-  if (order.empty()) return list;
+std::string CheckedCamera::pixelOrder() const {
+  constexpr std::size_t kMost = 2000;
   std::string words;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (order[i] != i)
-      words += (words.empty() ? "give line " : ", line ") + std::to_string(lines_[i]) + " the pixel of line " +
-               std::to_string(lines_[order[i]]);
-  list.push_back(explained("pixel-order", "the pixels are in another order"));
-  list[0]["pairs"] = words;
-  return list;
+  if (pairs_.size() > kMost) return words;
+  std::set<std::size_t> taken;
+  for (const Pair& pair : pairs_) {
+    const Vec2 at{pair.pixel.x + pair.miss.x, pair.pixel.y + pair.miss.y};
+    std::vector<std::size_t> near;
+    for (const Pair& other : pairs_)
+      if (length(at - other.pixel) <= within_) near.push_back(other.line);
+    if (near.size() != 1 || !taken.insert(near[0]).second) return "";
+    if (near[0] != pair.line)
+      words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
+               std::to_string(near[0]);
+  }
+  return words;
 }
 
-bool PairReport::isWithin(const PlainCamera& camera, const Hypothesis& h, const PixelMap& pixels) const {
-  return std::all_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-    const Vec2 at = pixelOf(camera, h.point(pair.point)), given = pixels(pair.pixel);
-    return length(Vec2{at.x - given.x, at.y - given.y}) <= within_;
-  });
-}
-
-bool PairReport::isMendedBy(const PairReport& other, const Explanation& e) const {
-  const std::vector<Hypothesis> all = madeAnew(e.hypothesis, other.file_, file_);
-  return std::any_of(all.begin(), all.end(), [&](const Hypothesis& h) { return isWithin(h.camera, h, h.pixels); });
-}
-
-bool PairReport::isMendedBy(const Mend& mend, const Hypothesis& h) const {
-  const auto camera = plainWith(file_, mend.patches(), mend.stretch);
-  return camera && isWithin(*camera, h, mend.pixels);
-}
-
-OrderedJson PairReport::statistics() const {
+OrderedJson CheckedCamera::statistics() const {
   OrderedJson statistics{{"records", records_}, {"noPixel", noPixel_}};
   statistics.update(misses_.statistics());
   return statistics;
 }
 
-OrderedJson PairReport::report() const {
-  OrderedJson list = OrderedJson::array();
-  const std::vector<std::size_t> wrong = agrees() ? std::vector<std::size_t>{} : wrongLines();
-  if (!agrees() && !pairs_.empty() && wrong.empty()) {
-    for (const Explanation& e : explanations()) list.push_back(asJson(e, mendOf(e)));
-    if (list.empty()) list = pixelOrderExplained();
-  }
-  return whole(agrees(), records_, noPixel_, within_, misses_.statistics(), pairs_.size(), wrong, list, nullptr);
+// ---- All
+
+PairReport::PairReport(const CameraFile& file, double within) : within_(within), isSet_(false) {
+  cameras_.emplace(0, std::pair("", CheckedCamera(file, within, kExact, kPairs)));
 }
 
-// ---- A set
-
-void SetReport::add(std::size_t camera, const std::function<std::pair<std::string, CameraFile>()>& read,
-                    const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
+void PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line, std::size_t camera,
+                     const std::function<std::pair<std::string, CameraFile>()>& read) {
   auto found = cameras_.find(camera);
   if (found == cameras_.end()) {
-    auto [name, file] = read();
-    found = cameras_.emplace(camera, Named{std::move(name), PairReport(file, within_, kOfEach)}).first;
+    const auto [name, file] = read();
+    found = cameras_.emplace(camera, std::pair(name, CheckedCamera(file, within_, kExactOfEach, kPairsOfEach))).first;
   }
   ++records_;
-  if (const auto miss = found->second.report.add(point, pixel, line)) misses_.add(*miss, line);
+  if (const auto miss = found->second.second.add(point, pixel, line)) misses_.add(*miss, line);
 }
 
-bool SetReport::agrees() const {
-  return std::all_of(cameras_.begin(), cameras_.end(), [](const auto& each) { return each.second.report.agrees(); });
+bool PairReport::agrees() const {
+  return std::all_of(cameras_.begin(), cameras_.end(), [](const auto& each) { return each.second.second.agrees(); });
 }
 
-OrderedJson SetReport::report() const {
+OrderedJson PairReport::explanations(const CheckedCamera& of) const {
+  OrderedJson list = OrderedJson::array();
+  const auto add = [&](const std::string& mistake, const std::string& sentence, const Json& value,
+                       const std::string& mend, const std::string& pairs, double rms, double largest,
+                       const std::vector<std::size_t>& wrong, const OrderedJson& mended) {
+    list.push_back({{"mistake", mistake},
+                    {"sentence", sentence},
+                    {"value", value},
+                    {"mend", orNull(mend)},
+                    {"pairs", orNull(pairs)},
+                    {"rmsMiss", orNull(rms)},
+                    {"largestMiss", orNull(largest)},
+                    {"wrongPairs", wrong},
+                    {"camerasMended", mended}});
+  };
+  for (const Explanation& e : explain(of.file(), of.pairs(), within_)) {
+    const Hypothesis& h = e.hypothesis;
+    const Mend mend = mendOf(of.file(), e, of.pairs());
+    std::size_t anew = 0, asIs = 0;  // cameras that it mends, made anew for each or as it stands
+    for (const auto& [place, each] : cameras_) {
+      const CheckedCamera& camera = each.second;
+      if (!isSet_) continue;
+      const auto forIt = madeAnew(h, of.file(), camera.file());
+      anew += std::any_of(forIt.begin(), forIt.end(),
+                          [&](const Hypothesis& its) { return isWithin(missesOf(its, camera.pairs()), within_); });
+      const auto misses = missesWith(camera.file(), mend, h, camera.pairs());
+      asIs += misses && isWithin(*misses, within_);
+    }
+    add(h.mistake, sentenceOf(of.file(), e, within_), h.value, asIs < anew ? "" : mend.options(),
+        wordsForPairs(h, mend.pixels), std::numbers::sqrt2 * e.rms, e.largest, e.wrong,
+        isSet_ ? OrderedJson(std::max(anew, asIs)) : OrderedJson(nullptr));
+  }
+  if (const std::string order = list.empty() ? of.pixelOrder() : ""; !order.empty())
+    add("pixel-order", "the pixels are in another order", nullptr, "", order, NAN, NAN, {}, nullptr);
+  return list;
+}
+
+OrderedJson PairReport::report() const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<std::pair<double, const PairReport*>> disagreeing;
-  std::size_t noPixel = 0, judged = 0;
-  for (const auto& [which, each] : cameras_) {
-    OrderedJson row{{"name", each.name}};
-    row.update(each.report.statistics());
-    noPixel += each.report.noPixel();
-    if (!each.report.agrees()) {
-      const std::vector<std::size_t> lines = each.report.wrongLines();
-      wrong.insert(wrong.end(), lines.begin(), lines.end());
-      if (lines.empty() && each.report.judged() > 0)
-        disagreeing.emplace_back(row["rmsMiss"].is_null() ? HUGE_VAL : row["rmsMiss"].get<double>(), &each.report);
-    }
+  std::vector<std::pair<double, const CheckedCamera*>> disagreeing;  // with their rms
+  std::size_t noPixel = 0;
+  for (const auto& [place, each] : cameras_) {
+    const auto& [name, camera] = each;
+    OrderedJson row{{"name", name}};
+    row.update(camera.statistics());
+    noPixel += camera.noPixel();
+    const std::vector<std::size_t> lines = camera.agrees() ? std::vector<std::size_t>{} : camera.wrongLines();
+    wrong.insert(wrong.end(), lines.begin(), lines.end());
+    if (!camera.agrees() && lines.empty() && !camera.pairs().empty())
+      disagreeing.emplace_back(row["rmsMiss"].is_null() ? HUGE_VAL : row["rmsMiss"].get<double>(), &camera);
     cameras.push_back(std::move(row));
   }
   std::sort(wrong.begin(), wrong.end());
   std::sort(disagreeing.begin(), disagreeing.end());
+  std::size_t judged = isSet_ ? 0 : cameras_.at(0).second.pairs().size();
   if (!disagreeing.empty()) {  // sought for the one in the middle, and tried on all
-    const PairReport& middle = *disagreeing[disagreeing.size() / 2].second;
-    judged = middle.judged();
+    const CheckedCamera& middle = *disagreeing[disagreeing.size() / 2].second;
+    judged = middle.pairs().size();
     wrong.clear();
-    for (const Explanation& e : middle.explanations()) {
-      const auto count = [&](const auto& isMended) {
-        return std::count_if(cameras_.begin(), cameras_.end(),
-                             [&](const auto& each) { return isMended(each.second.report); });
-      };
-      const Mend mend = middle.mendOf(e);
-      const auto anew = count([&](const PairReport& each) { return each.isMendedBy(middle, e); });
-      const auto asIs = count([&](const PairReport& each) { return each.isMendedBy(mend, e.hypothesis); });
-      OrderedJson one = middle.asJson(e, mend);
-      one["camerasMended"] = std::max(anew, asIs);
-      if (asIs < anew) one["mend"] = nullptr;  // in each camera it is another
-      list.push_back(std::move(one));
-    }
+    list = explanations(middle);
   }
-  return whole(agrees(), records_, noPixel, within_, misses_.statistics(), judged, wrong, list, cameras);
+  const bool isOpen = !agrees() && list.empty() && wrong.empty();
+  OrderedJson report{{"agrees", agrees()}, {"records", records_}, {"noPixel", noPixel}, {"within", within_}};
+  report.update(misses_.statistics());
+  report.update(OrderedJson{{"judged", judged},
+                            {"wrongPairs", wrong},
+                            {"explanations", list},
+                            {"verdict", isOpen ? OrderedJson("no explanation found") : OrderedJson(nullptr)},
+                            {"cameras", isSet_ ? cameras : OrderedJson(nullptr)}});
+  return report;
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -7,23 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "camera/read_camera.hpp"
-#include "commands/check/judge.hpp"
-#include "commands/check/mend.hpp"
+#include "commands/check/hypothesis.hpp"
 #include "output/report.hpp"
 
 namespace viewproj::cmd::mistakes {
 
-/// What a report keeps: its size does not grow with the pairs.
-struct Kept {
-  std::size_t exact = 10'000;  ///< misses; more are counted in steps of a thousandth
-  std::size_t pairs = 4096;    ///< on which explanations are sought: the first, and every 2^j-th after it
-};
-
-/// Distances of pixels.
+/// Distances of pixels. Their number does not grow with the pairs: of too many, they are counted in steps of a
+/// thousandth.
 class Misses {
  public:
-  explicit Misses(std::size_t exact) : most_(exact) {}
+  explicit Misses(std::size_t exact) : exact_(exact) {}
   void add(double miss, std::size_t line);
 
   double largest() const { return largest_; }
@@ -35,78 +28,70 @@ class Misses {
   /// The miss that so many are below, of all in order.
   double at(std::size_t rank) const;
 
-  std::size_t most_, count_ = 0, worst_ = 0;
+  std::size_t exact_, count_ = 0, worst_ = 0;
   double sum_ = 0, squares_ = 0, largest_ = 0;
-  std::vector<double> exact_;
-  std::map<int, std::size_t> steps_;
+  bool isInSteps_ = false;
+  std::map<double, std::size_t> counts_;
 };
 
-/// Of one camera.
-class PairReport {
+/// A camera with the pairs that are of it.
+class CheckedCamera {
  public:
-  /// within: the largest miss, in pixels, that still agrees.
-  PairReport(const CameraFile& file, double within, const Kept& kept = {});
+  /// exact, most: so many misses and pairs are kept.
+  CheckedCamera(const CameraFile& file, double within, std::size_t exact, std::size_t most);
 
-  /// pixel: nothing where the record says that the point has none. Returns by how much it misses, where both have one.
+  /// Returns by how much the pair misses, where both have a pixel.
   std::optional<double> add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line);
 
-  std::size_t records() const { return records_; }
+  const CameraFile& file() const { return file_; }
   std::size_t noPixel() const { return noPixel_; }
   bool agrees() const { return noPixel_ == 0 && misses_.largest() <= within_; }
-  OrderedJson statistics() const;
-  /// Every member is always there; what has no value is null.
-  OrderedJson report() const;
-
-  // ---- For a set
-
-  std::size_t judged() const { return pairs_.size(); }
-  /// The lines of the pairs that alone disagree.
+  /// Those on which explanations are sought: the first, and every 2^j-th after it.
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  /// The lines of the pairs that alone disagree: at most a quarter, of four or more. Else none.
   std::vector<std::size_t> wrongLines() const;
-  std::vector<Explanation> explanations() const;
-  Mend mendOf(const Explanation& explanation) const;
-  OrderedJson asJson(const Explanation& explanation, const Mend& mend) const;
-  /// Whether the mend, as it stands, brings these pairs within.
-  bool isMendedBy(const Mend& mend, const Hypothesis& hypothesis) const;
-  /// Whether the explanation of another camera's pairs, made anew for this one, brings these within.
-  bool isMendedBy(const PairReport& other, const Explanation& explanation) const;
+  /// Which line has the pixel of which, if each has the pixel of another. Else empty.
+  std::string pixelOrder() const;
+  /// records, noPixel, and those of the misses.
+  OrderedJson statistics() const;
 
  private:
-  bool isWithin(const PlainCamera& camera, const Hypothesis& hypothesis, const PixelMap& pixels) const;
-  std::vector<std::size_t> linesOf(const std::vector<std::size_t>& pairs) const;
-  OrderedJson pixelOrderExplained() const;
-
   CameraFile file_;
   Camera camera_;
   double within_;
   std::size_t most_, records_ = 0, noPixel_ = 0, stride_ = 1;
   Misses misses_;
   std::vector<Pair> pairs_;
-  std::vector<std::size_t> lines_;
 };
 
-/// Of the cameras of a set, each with the pairs that name it.
-class SetReport {
+class PairReport {
  public:
-  explicit SetReport(double within) : within_(within) {}
+  /// Of a set of cameras. within: the largest miss, in pixels, that still agrees.
+  explicit PairReport(double within) : within_(within) {}
+  /// Of one camera.
+  PairReport(const CameraFile& file, double within);
 
-  /// camera: its place in the file. read: makes it, when it is first used.
-  void add(std::size_t camera, const std::function<std::pair<std::string, CameraFile>()>& read, const Vec4& point,
-           const std::optional<Vec2>& pixel, std::size_t line);
+  /// pixel: nothing where the record says that the point has none. camera: its place in the set. read: makes it, with
+  /// its name, when it is first used.
+  void add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line, std::size_t camera = 0,
+           const std::function<std::pair<std::string, CameraFile>()>& read = nullptr);
 
   std::size_t records() const { return records_; }
   bool agrees() const;
+  /// Every member is always there; what has no value is null.
   OrderedJson report() const;
 
  private:
-  struct Named {
-    std::string name;
-    PairReport report;
-  };
+  OrderedJson explanations(const CheckedCamera& of) const;
 
   double within_;
+  bool isSet_ = true;
   std::size_t records_ = 0;
-  Misses misses_{Kept{}.exact};
-  std::map<std::size_t, Named> cameras_;
+  Misses misses_{kExact};
+  std::map<std::size_t, std::pair<std::string, CheckedCamera>> cameras_;
+
+  static constexpr std::size_t kExact = 10'000, kPairs = 4096;           // of one camera
+  static constexpr std::size_t kExactOfEach = 1000, kPairsOfEach = 512;  // of each camera of a set
 };
 
 }  // namespace viewproj::cmd::mistakes

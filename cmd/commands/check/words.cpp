@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "camera/plain_camera.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd::mistakes {
 namespace {
 
+constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture"},
     {"y-flipped-index", "y is counted from the other edge, one pixel off"},
@@ -76,27 +76,22 @@ constexpr Mistake kMistakes[] = {
     {"another-camera", "another camera: {0} degrees, moved by {1}, {2}, {3}"},
     {"pixel-order", "the pixels are in another order"}};
 
-std::string shown(const Json& value) {
-  if (value.is_number()) return formatDigits(value.get<double>(), 4);
+/// One of them, or of a list the numbers; of rounding beside larger ones nothing is left.
+std::string shown(const Json& value, double largest = 0) {
+  if (value.is_number()) return std::fabs(value.get<double>()) < 1e-9 * largest ? "0" : formatDigits(value, 4);
   if (!value.is_array()) return value.is_string() ? value.get<std::string>() : "another";
-  std::string text;
-  double largest = 0;
   for (const Json& part : value)
     if (part.is_number()) largest = std::max(largest, std::fabs(part.get<double>()));
-  for (const Json& part : value) {
-    const bool isRounding = part.is_number() && std::fabs(part.get<double>()) < 1e-9 * largest;
-    text += (text.empty() ? "" : ", ") + shown(isRounding ? Json(0) : part);
-  }
+  std::string text;
+  for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part, largest);
   return text;
 }
 
 std::string sentence(std::string_view mistake, const Json& value) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
     return sentence(mistake.substr(0, plus), value[0]) + "; " + sentence(mistake.substr(plus + 3), value[1]);
-  const auto row = std::find_if(std::begin(kMistakes), std::end(kMistakes),
-                                [&](const Mistake& each) { return each.name == mistake; });
   std::string text;
-  for (std::string_view rest = row->meaning; !rest.empty();) {
+  for (std::string_view rest = kMistakes[placeOf(mistake)].meaning; !rest.empty();) {
     const std::size_t open = std::min(rest.find('{'), rest.size()), close = std::min(rest.find('}'), rest.size());
     text += rest.substr(0, open);
     if (open < rest.size())
@@ -108,16 +103,17 @@ std::string sentence(std::string_view mistake, const Json& value) {
 
 /// ": heading 72.4 for 69.2", where up is known and the camera is turned.
 std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
-  if (!file.worldIsEcef && !file.worldIsEnu) return "";
-  const HeadingPitchRoll from = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef),
-                         turned = headingPitchRollOf(poseOf(to), file.worldIsEcef);
-  const auto compass = [](Angle angle) { return angle.value < 0 ? angle.value + 360 : angle.value; };
+  if (!knowsUp(file)) return "";
+  const auto degreesOf = [&](const PlainPose& pose) {
+    const auto [heading, pitch, roll] = headingPitchRollOf(pose, file.worldIsEcef);
+    return std::array{heading.value < 0 ? heading.value + 360 : heading.value, pitch.value, roll.value};
+  };
+  const auto was = degreesOf(plainPose(*file.pose)), is = degreesOf(poseOf(to));
   std::string text;
-  for (const auto& [name, now, before] : {std::tuple("heading ", compass(turned.heading), compass(from.heading)),
-                                          {"pitch ", turned.pitch.value, from.pitch.value},
-                                          {"roll ", turned.roll.value, from.roll.value}})
-    if (const std::string is = formatDigits(now, 4), was = formatDigits(before, 4); is != was)
-      text += (text.empty() ? ": " : ", ") + std::string(name) + is + " for " + was;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const std::string now = formatDigits(is[i], 4), before = formatDigits(was[i], 4); now != before)
+      text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) + now + " for " +
+              before;
   return text;
 }
 
@@ -144,6 +140,18 @@ std::string formula(double x, double y, double offset) {
 
 std::span<const Mistake> allMistakes() { return kMistakes; }
 
+std::size_t placeOf(std::string_view mistake) {
+  if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
+    return placeOf(mistake.substr(0, plus)) + placeOf(mistake.substr(plus + 3));
+  std::size_t place = 0;
+  while (kMistakes[place].name != mistake) ++place;
+  return place;
+}
+
+bool isLongKnown(std::string_view mistake) {
+  return std::any_of(kMistakes, kMistakes + kLongKnown, [&](const Mistake& each) { return each.name == mistake; });
+}
+
 std::string shownLines(std::span<const std::size_t> lines) {
   std::string text = lines.size() == 1 ? "line " : "lines ";
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -151,10 +159,9 @@ std::string shownLines(std::span<const std::size_t> lines) {
   return text;
 }
 
-std::string sentenceOf(const CameraFile& file, const Explanation& e, std::span<const std::size_t> wrongLines,
-                       double within) {
+std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
   std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value) + turnsOf(file, e.hypothesis.camera);
-  if (!wrongLines.empty()) words += ", but for " + shownLines(wrongLines);
+  if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";
 }
