@@ -143,10 +143,8 @@ class Solver {
   }
   /// x and y of each pair, NaN without a pixel.
   Numbers misses(const PlainCamera& camera) const;
-  /// Of each pair: 1 where it has a miss.
-  static Numbers seen(const Numbers& misses);
-  /// Of each pair: less the more it misses beside the others. sigma: of the step before.
-  Numbers trusted(const Numbers& misses, double& sigma) const;
+  /// Of each pair: 0 without a pixel, else 1; or less, if pairs may be wrong, the more it misses beside the others.
+  Numbers weights(const Numbers& misses, int step) const;
   static double costOf(const Numbers& misses, const Numbers& weights);
   std::optional<std::vector<Numbers>> equations(const PlainCamera& camera, const Numbers& misses,
                                                 const Numbers& weights) const;
@@ -166,26 +164,19 @@ Numbers Solver::misses(const PlainCamera& camera) const {
   return all;
 }
 
-Numbers Solver::seen(const Numbers& misses) {
-  Numbers weights;
-  for (std::size_t i = 0; i < misses.size(); i += 2)
-    weights.push_back(std::isfinite(misses[i] + misses[i + 1]) ? 1 : 0);
-  return weights;
-}
-
-Numbers Solver::trusted(const Numbers& misses, double& sigma) const {
+Numbers Solver::weights(const Numbers& misses, int step) const {
   Numbers distances, weights;
   for (std::size_t i = 0; i < misses.size(); i += 2) {
     const double distance = length(Vec2{misses[i], misses[i + 1]});
+    weights.push_back(std::isfinite(distance) ? 1 : 0);
     distances.push_back(std::isfinite(distance) ? distance : 1e9);
   }
+  if (wrong_ == 0) return weights;
   Numbers sorted = distances;
   std::sort(sorted.begin(), sorted.end());
-  sigma = std::max(sigma == 0 ? sorted[sorted.size() - wrong_ - 1] : std::max(sigma / 2, medianOf(sorted)), 1e-4);
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    const double share = 1 + distances[i] * distances[i] / (sigma * sigma);
-    weights.push_back(std::isfinite(misses[2 * i]) ? 1 / (share * share) : 0);
-  }
+  const double sigma = std::max({std::ldexp(sorted[sorted.size() - wrong_ - 1], -step), medianOf(sorted), 1e-4});
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    weights[i] /= std::pow(1 + distances[i] * distances[i] / (sigma * sigma), 2);
   return weights;
 }
 
@@ -221,16 +212,14 @@ std::optional<std::vector<Numbers>> Solver::equations(const PlainCamera& camera,
 }
 
 Solution Solver::from(PlainCamera camera, int steps) const {
-  Numbers now = misses(camera), weights = seen(now);  // points behind the start count from the second step on
-  const auto n = static_cast<double>(fit_.pairs.size());
-  if (2 * std::accumulate(weights.begin(), weights.end(), 0.0) < std::max(2.0, static_cast<double>(by_.size())))
-    return {camera};
-  double damping = 1e-6, sigma = 0;
+  Numbers now = misses(camera), weight = weights(now, 0);
+  const auto n = static_cast<double>(fit_.pairs.size()), count = static_cast<double>(by_.size());
+  if (2 * std::accumulate(weight.begin(), weight.end(), 0.0) < std::max(2.0, count)) return {camera};
+  double damping = 1e-6;
   for (int step = 0; step < steps; ++step) {
-    if (wrong_ > 0) weights = trusted(now, sigma);
-    if (wrong_ == 0 && step == 1) weights = seen(now);
-    const double cost = costOf(now, weights);
-    const auto rows = equations(camera, now, weights);
+    weight = weights(now, step);  // points behind the start count once they are seen
+    const double cost = costOf(now, weight);
+    const auto rows = equations(camera, now, weight);
     if (!std::isfinite(cost) || !rows) return {camera};
     PlainCamera next = camera;
     Numbers then = now;
@@ -241,7 +230,7 @@ Solution Solver::from(PlainCamera camera, int steps) const {
       if (const auto values = solved(std::move(damped))) {
         next = changed(camera, *values);
         then = misses(next);
-        left = costOf(then, weights);
+        left = costOf(then, weight);
       }
       if (!(left < cost)) damping = std::max(damping, 1e-9) * 10;
     }
@@ -251,7 +240,7 @@ Solution Solver::from(PlainCamera camera, int steps) const {
     damping /= 10;
     if (wrong_ == 0 && step > 0 && (cost - left < 1e-10 * cost || left < 1e-18 * n)) break;
   }
-  return {camera, costOf(now, wrong_ == 0 ? Numbers(fit_.pairs.size(), 1) : weights)};
+  return {camera, costOf(now, wrong_ == 0 ? Numbers(fit_.pairs.size(), 1) : weight)};
 }
 
 /// The camera turned by quarters about an axis of its own, or about any: so many whose rays agree best with the points.
@@ -348,15 +337,8 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
                      .camera = best.camera,
                      .parameters = static_cast<int>(by.size())};
     if (isBetween(by[0], By::s, By::sy)) found.scale = best.camera.focal.x * best.camera.focal.y / (focal.x * focal.y);
-    const double times = by[0] == By::u ? found.value.get<double>() : 0;
-    if (by[0] == By::u) found.value = {"position", times};
+    if (by[0] == By::u) found.value = {"position", found.value};
     all.push_back(std::move(found));
-    if (times > 0)
-      all.push_back({.mistake = family.mistake,
-                     .value = {"points", 1 / times},
-                     .camera = fit.camera,
-                     .points = diagonal(1 / times),
-                     .parameters = 1});
   }
   return all;
 }

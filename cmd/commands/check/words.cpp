@@ -76,12 +76,18 @@ constexpr Mistake kMistakes[] = {
     {"another-camera", "another camera: {0} degrees, moved by {1}, {2}, {3}"},
     {"pixel-order", "the pixels are in another order"}};
 
-/// One of them, or of a list the numbers; of rounding beside larger ones nothing is left.
-std::string shown(const Json& value, double largest = 0) {
-  if (value.is_number()) return std::fabs(value.get<double>()) < 1e-9 * largest ? "0" : formatDigits(value, 4);
+double largestOf(const Json& value) {
+  if (value.is_number()) return std::fabs(value.get<double>());
+  double largest = 0;
+  if (value.is_array())
+    for (const Json& part : value) largest = std::max(largest, largestOf(part));
+  return largest;
+}
+
+/// Of numbers beside larger ones, rounding is not shown.
+std::string shown(const Json& value, double largest) {
+  if (value.is_number()) return largestOf(value) < 1e-9 * largest ? "0" : formatDigits(value, 4);
   if (!value.is_array()) return value.is_string() ? value.get<std::string>() : "another";
-  for (const Json& part : value)
-    if (part.is_number()) largest = std::max(largest, std::fabs(part.get<double>()));
   std::string text;
   for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part, largest);
   return text;
@@ -90,13 +96,11 @@ std::string shown(const Json& value, double largest = 0) {
 std::string sentence(std::string_view mistake, const Json& value) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
     return sentence(mistake.substr(0, plus), value[0]) + "; " + sentence(mistake.substr(plus + 3), value[1]);
-  std::string text;
-  for (std::string_view rest = kMistakes[placeOf(mistake)].meaning; !rest.empty();) {
-    const std::size_t open = std::min(rest.find('{'), rest.size()), close = std::min(rest.find('}'), rest.size());
-    text += rest.substr(0, open);
-    if (open < rest.size())
-      text += shown(close == open + 1 ? value : value[static_cast<std::size_t>(rest[open + 1] - '0')]);
-    rest.remove_prefix(std::min(close + 1, rest.size()));
+  std::string text(kMistakes[placeOf(mistake)].meaning);
+  for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{')) {
+    const std::size_t close = text.find('}');
+    const Json& part = close == open + 1 ? value : value[static_cast<std::size_t>(text[open + 1] - '0')];
+    text.replace(open, close - open + 1, shown(part, largestOf(value)));
   }
   return text;
 }
@@ -117,22 +121,20 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
   return text;
 }
 
-std::string term(double factor, const char* name) {
-  const double size = std::fabs(factor);
-  return size == 1 ? name : size < 1 ? name + ("/" + formatDigits(1 / size, 12)) : formatDigits(size, 12) + name;
-}
+using Term = std::pair<double, const char*>;
 
 /// "0.5x + 3", "720 - y"
-std::string formula(double x, double y, double offset) {
+std::string formula(std::initializer_list<Term> terms) {
   std::string text;
-  const auto add = [&](double sign, const std::string& part) {
-    text += text.empty() ? (sign < 0 ? "-" : "") + part : (sign < 0 ? " - " : " + ") + part;
-  };
-  const bool isLast = x >= 0 && y >= 0;
-  if (!isLast && offset != 0) add(offset, formatDigits(std::fabs(offset), 12));
-  if (x != 0) add(x, term(x, "x"));
-  if (y != 0) add(y, term(y, "y"));
-  if (isLast && offset != 0) add(offset, formatDigits(std::fabs(offset), 12));
+  for (const double sign : {1.0, -1.0})
+    for (const auto& [factor, name] : terms) {
+      const double size = sign * factor;
+      if (!(size > 0)) continue;
+      text += text.empty() ? (sign < 0 ? "-" : "") : sign < 0 ? " - " : " + ";
+      const bool isPart = *name != 0 && size < 1;
+      const std::string digits = size == 1 && *name != 0 ? "" : formatDigits(isPart ? 1 / size : size, 12);
+      text += isPart ? name + ("/" + digits) : digits + name;
+    }
   return text;
 }
 
@@ -167,28 +169,23 @@ std::string sentenceOf(const CameraFile& file, const Explanation& e, double with
 }
 
 std::string wordsForPairs(const Hypothesis& h, const PixelMap& m) {
-  static constexpr std::array kNames{"x", "y", "z"};
-  std::vector<std::string> words;
-  std::string pixels;
-  if (m.xx != 1 || m.xy != 0 || m.x0 != 0) pixels = "x by " + formula(m.xx, m.xy, m.x0);
-  if (m.yx != 0 || m.yy != 1 || m.y0 != 0)
-    pixels += (pixels.empty() ? "" : " and ") + ("y by " + formula(m.yx, m.yy, m.y0));
-  if (!pixels.empty()) words.push_back("replace " + pixels + " in the pixels");
-  if (h.points != kUnit) {
-    std::string axes;
-    for (const Vec3& row : h.points)
-      for (std::size_t i = 0; i < 3; ++i)
-        if (row[i] != 0)
-          axes += (axes.empty() ? "" : ",") + std::string(row[i] < 0 ? "-" : "") + term(row[i], kNames[i]);
-    words.push_back("replace x,y,z of the points by " + axes);
-  }
-  if (h.places == PlaceMap::exchange) words.emplace_back("exchange lat and lon of the points");
-  if (h.places == PlaceMap::negateLon) words.emplace_back("replace lon of the points by -lon");
-  if (h.places == PlaceMap::negateLat) words.emplace_back("replace lat of the points by -lat");
-  if (h.lensPasses < 0) words.emplace_back("undistort the pixels once; the lens is in them twice");
-  if (h.lensPasses > 0) words.emplace_back("do not undistort the pixels; they are undistorted twice");
   std::string text;
-  for (const std::string& each : words) text += (text.empty() ? "" : ", and ") + each;
+  const auto add = [&](bool isNeeded, const std::string& words) {
+    if (isNeeded) text += (text.empty() ? "" : ", and ") + words;
+  };
+  const bool isX = m.xx != 1 || m.xy != 0 || m.x0 != 0, isY = m.yx != 0 || m.yy != 1 || m.y0 != 0;
+  const std::string x = "x by " + formula({{m.xx, "x"}, {m.xy, "y"}, {m.x0, ""}}),
+                    y = "y by " + formula({{m.yx, "x"}, {m.yy, "y"}, {m.y0, ""}});
+  add(isX || isY, "replace " + (isX && isY ? x + " and " + y : isX ? x : y) + " in the pixels");
+  std::string axes;
+  for (const Vec3& row : h.points)
+    axes += (axes.empty() ? "" : ",") + formula({{row.x, "x"}, {row.y, "y"}, {row.z, "z"}});
+  add(h.points != kUnit, "replace x,y,z of the points by " + axes);
+  add(h.places == PlaceMap::exchange, "exchange lat and lon of the points");
+  add(h.places == PlaceMap::negateLon, "replace lon of the points by -lon");
+  add(h.places == PlaceMap::negateLat, "replace lat of the points by -lat");
+  add(h.lensPasses < 0, "undistort the pixels once; the lens is in them twice");
+  add(h.lensPasses > 0, "do not undistort the pixels; they are undistorted twice");
   return text;
 }
 
