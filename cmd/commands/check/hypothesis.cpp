@@ -139,6 +139,14 @@ void Trials::pose(const std::string& mistake, const Rows& axes, const Vec3& eye,
   add({.mistake = mistake, .value = std::move(value), .camera = std::move(camera)});
 }
 
+std::vector<Hypothesis> rowsOf(const CameraFile& file) {
+  Trials t(file);
+  addWindowRows(t);
+  addPoseRows(t);
+  addPixelRows(t);
+  return t.take();
+}
+
 std::vector<std::pair<std::string, Rows>> signedAxes() {
   std::vector<std::pair<std::string, Rows>> all;
   std::array<std::size_t, 3> from{0, 1, 2};

@@ -48,10 +48,12 @@ struct Hypothesis {
   bool stretch = false;        ///< they need --allow-stretch
   Rows points = kUnit;         ///< of the mended points
   PlaceMap places = PlaceMap::none;
-  PixelMap pixels = {};  ///< of the mended pixels
-  int lensPasses = 0;    ///< how often the lens then bends them; negative: unbends them
-  double scale = 1;      ///< of the area of the picture, where camera is of a resized one
+  PixelMap pixels = {};    ///< of the mended pixels
+  int lensPasses = 0;      ///< how often the lens then bends them; negative: unbends them
+  double scale = 1;        ///< of the area of the picture, where camera is of a smaller or larger one
+  bool isResized = false;  ///< about its corner
   int parameters = 0;
+  std::string words = "";  ///< what else is done to the pairs
 
   /// The mended point and pixel of given ones.
   Vec4 point(const Vec4& given) const;
@@ -108,6 +110,8 @@ class Trials {
 void addWindowRows(Trials& trials);
 void addPoseRows(Trials& trials);
 void addPixelRows(Trials& trials);
+/// All of them.
+std::vector<Hypothesis> rowsOf(const CameraFile& file);
 /// Signed permutations of three axes, each with its name, as in "-y,-z,x".
 std::vector<std::pair<std::string, Rows>> signedAxes();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "commands/check/families.hpp"
 #include "commands/check/words.hpp"
@@ -64,11 +65,17 @@ std::vector<Hypothesis> turnedPixels(const std::vector<Hypothesis>& pixels) {
       return PixelMap{h.pixels.xx, h.pixels.xy, other.pixels.x0, h.pixels.yx, h.pixels.yy, other.pixels.y0} ==
              other.pixels;
     };
-    if (isIn(h, {"y-flipped", "x-mirrored", "picture-turned", "row-column"}) &&
+    if (h.movesPixels() && isIn(h, {"y-flipped", "x-mirrored", "picture-turned", "row-column"}) &&
         std::none_of(some.begin(), some.end(), isLike))
       some.push_back(h);
   }
   return some;
+}
+
+/// So many times what a pixel counts that it leaves, where it makes the picture smaller.
+double growthOf(const Hypothesis& h) {
+  const double size = h.pixels.size() * h.scale;
+  return size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
 }
 
 // ---- Order
@@ -79,45 +86,42 @@ double weighted(const Explanation& e) {
   return std::round(1e6 * e.evidence * share) / 1e6;
 }
 
-/// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
-bool isSame(const Explanation& a, const Explanation& b, bool anySign) {
-  const auto isLike = [&](double x, double y) {
-    return std::fabs(anySign ? std::fabs(x) - std::fabs(y) : x - y) < 1e-6;
-  };
-  return std::equal(a.misses.begin(), a.misses.end(), b.misses.begin(),
-                    [&](const Vec2& p, const Vec2& q) { return isLike(p.x, q.x) && isLike(p.y, q.y); });
+/// Two at once count as one more.
+int parametersOf(const Explanation& e) {
+  return e.hypothesis.parameters + (e.hypothesis.mistake.find(" + ") != std::string::npos ? 1 : 0);
 }
 
 /// By how much less evidence it may stand in place of the best: if it is simpler.
 double allowanceOf(const Explanation& e, const Explanation& best) {
-  const int more = e.hypothesis.parameters - best.hypothesis.parameters;
+  const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
+  const int more = parametersOf(e) - parametersOf(best);
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
-  const bool isSimpler = best.stage >= Stage::rest && e.stage <= Stage::families;
-  if ((more < 0 || isSimpler) && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
-  return isSimpler ? 7 : more < 0 ? kAsGood : 1;
+  if ((more < 0 || isOneOfTwo) && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
-/// The best first; then at most five that are as good with no more parameters, one of each mistake.
-std::vector<Explanation> listed(std::vector<Explanation> found, double within) {
+/// The best first; then at most five that are as good with no more parameters, one of each mistake. keepsSame: also
+/// those that leave the same.
+std::vector<Explanation> listed(std::vector<Explanation> found, double within, bool keepsSame = false) {
   if (found.empty()) return found;
   std::stable_sort(found.begin(), found.end(),
                    [](const Explanation& a, const Explanation& b) { return weighted(a) > weighted(b); });
   const auto rank = [](const Explanation& e) {
-    return std::tuple(e.hypothesis.parameters, e.stage, placeOf(e.hypothesis.mistake));
+    return std::tuple(parametersOf(e), e.stage, placeOf(e.hypothesis.mistake));
   };
   auto best = found.begin();
   for (auto e = found.begin(); e != found.end(); ++e)
     if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0]) && rank(*e) < rank(*best)) best = e;
   std::rotate(found.begin(), best, best + 1);
   std::vector<Explanation> out;
-  int fewest = found[0].hypothesis.parameters;
+  int fewest = parametersOf(found[0]);
   for (Explanation& e : found) {
-    const int parameters = e.hypothesis.parameters;
+    const int parameters = parametersOf(e);
     const bool isOld = isLongKnown(e.hypothesis.mistake),
                isRow = isOld && e.stage == Stage::rows && e.largest <= within;
     const bool isToldAlready = std::any_of(out.begin(), out.end(), [&](const Explanation& o) {
-      return parameters >= o.hypothesis.parameters &&
-             (o.hypothesis.mistake == e.hypothesis.mistake || (!isOld && isSame(e, o, true)));
+      return parameters >= parametersOf(o) &&
+             (o.hypothesis.mistake == e.hypothesis.mistake || (!isOld && !keepsSame && isSame(e, o, true)));
     });
     const auto isAsGood = [&] {
       const bool isOfTwo = e.stage > Stage::families && out[0].stage <= Stage::families;
@@ -126,7 +130,7 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within) {
     if (isToldAlready || !(out.empty() || isRow || isAsGood())) continue;
     fewest = std::min(fewest, parameters);
     out.push_back(std::move(e));
-    if (out.size() == 6) break;
+    if (out.size() == (keepsSame ? 12 : 6)) break;
   }
   return out;
 }
@@ -137,7 +141,7 @@ class Search {
  public:
   Search(const CameraFile& file, std::span<const Pair> pairs, double within);
 
-  std::vector<Explanation> explanations();
+  std::vector<Explanation> explanations(bool keepsSame);
 
  private:
   /// Those of the hypotheses that explain something. wrong: how many pairs they may, and must, leave out.
@@ -155,25 +159,24 @@ class Search {
   std::vector<Hypothesis> bestRows() const;
   std::vector<Hypothesis> twoRows() const;
   std::vector<Explanation> besideWrongPairs() const;
+  std::vector<Explanation> pixelOrder() const;
 
   Trials trials_;
   std::span<const Pair> pairs_;
   double within_;
-  Hypothesis nothing_;                             ///< is wrong
-  std::vector<Hypothesis> ofDocument_, ofPixels_;  ///< the rows
-  std::vector<Vec2> before_;                       ///< the misses without an explanation
+  Hypothesis nothing_;  ///< is wrong
+  std::vector<Hypothesis> rows_;
+  std::vector<Vec2> before_;  ///< the misses without an explanation
   std::vector<Explanation> found_;
 };
 
 Search::Search(const CameraFile& file, std::span<const Pair> pairs, double within)
-    : trials_(file), pairs_(pairs), within_(within), nothing_{.mistake = "", .camera = trials_.plain()} {
-  addWindowRows(trials_);
-  addPoseRows(trials_);
-  ofDocument_ = trials_.take();
-  addPixelRows(trials_);
-  ofPixels_ = trials_.take();
-  before_ = missesOf(nothing_, pairs_);
-}
+    : trials_(file),
+      pairs_(pairs),
+      within_(within),
+      nothing_{.mistake = "", .camera = trials_.plain()},
+      rows_(rowsOf(file)),
+      before_(missesOf(nothing_, pairs)) {}
 
 double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& right) const {
   const Hypothesis& h = e.hypothesis;
@@ -186,7 +189,7 @@ double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& 
   }
   for (const Vec2& at : mended)
     squares = {squares.x + (at.x - mean.x) * (at.x - mean.x), squares.y + (at.y - mean.y) * (at.y - mean.y)};
-  const double size = h.pixels.size() * h.scale, grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
+  const double grow = growthOf(h);
   const double left = std::max(e.rms * grow, kFloor);
   const auto deviation = [&](double sum) { return right.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
   const Vec2 most{deviation(squares.x), deviation(squares.y)};
@@ -255,7 +258,8 @@ void Search::seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double
 
 bool Search::isExplained() const {
   return std::any_of(found_.begin(), found_.end(), [&](const Explanation& e) {
-    return e.evidence > kThreshold && (e.largest <= within_ || e.rms <= 1);
+    const double grow = growthOf(e.hypothesis);
+    return e.evidence > kThreshold && (grow * e.largest <= within_ || grow * e.rms <= 1);
   });
 }
 
@@ -292,19 +296,24 @@ std::vector<Hypothesis> Search::bestRows() const {
 }
 
 std::vector<Hypothesis> Search::twoRows() const {
-  const auto mayPair = [](const Hypothesis& h) {
-    return isIn(h, {"y-flipped", "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio", "picture-turned",
-                    "row-column", "normalized", "ndc"});
+  const auto isOfPixels = [](const Hypothesis& h) {
+    return h.movesPixels() && isIn(h, {"y-flipped", "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio",
+                                       "picture-turned", "row-column", "normalized", "ndc"});
   };
-  std::vector<Hypothesis> others = someOf(ofDocument_, [](const Hypothesis& h) { return !h.movesPixels(); });
-  for (const Hypothesis& h : ofPixels_)
-    if (isIn(h, {"pixel-centre"})) others.push_back(h);
-  std::vector<Hypothesis> all = inTwos(someOf(ofPixels_, mayPair), [&](const Hypothesis&) { return others; });
-  for (Hypothesis& two : inTwos(someOf(ofDocument_, setsPose), [&](const Hypothesis& first) {
+  const std::vector<Hypothesis> others =
+      someOf(rows_, [](const Hypothesis& h) { return !h.movesPixels() || isIn(h, {"pixel-centre"}); });
+  std::vector<Hypothesis> all = inTwos(someOf(rows_, isOfPixels), [&](const Hypothesis&) { return others; });
+  for (Hypothesis& two : inTwos(someOf(rows_, setsPose), [&](const Hypothesis& first) {
          Trials after(changed(trials_.file(), patchesOf(first.sets), first.stretch));
-         addWindowRows(after);
          addPoseRows(after);
-         return someOf(after.take(), [](const Hypothesis& h) { return !h.movesPixels(); });
+         std::vector<Hypothesis> seconds = after.take();
+         for (Hypothesis h : rows_) {  // a window is the same behind each pose
+           if (h.sets.empty() || setsPose(h)) continue;
+           h.camera.axes = first.camera.axes;
+           h.camera.eye = first.camera.eye;
+           seconds.push_back(std::move(h));
+         }
+         return seconds;
        }))
     all.push_back(std::move(two));
   return all;
@@ -314,9 +323,8 @@ std::vector<Hypothesis> Search::twoRows() const {
 std::vector<Explanation> Search::besideWrongPairs() const {
   const std::size_t n = pairs_.size(), wrong = std::max<std::size_t>(1, n / 4);
   if (n < 4) return {};
-  std::vector<Hypothesis> all = ofDocument_;
+  std::vector<Hypothesis> all = rows_;
   const auto add = [&](const std::vector<Hypothesis>& some) { all.insert(all.end(), some.begin(), some.end()); };
-  add(ofPixels_);
   const Fit fit = fitOf(nothing_);
   if (fit.pairs.size() == n) add(families(fit, Table::simple, wrong));
   if (fit.pairs.size() == n && n >= 8)
@@ -325,13 +333,35 @@ std::vector<Explanation> Search::besideWrongPairs() const {
   return judged(std::move(all), Stage::wrongPairs, tries, wrong);
 }
 
-std::vector<Explanation> Search::explanations() {
+/// Each pair has the pixel of one line, and not all their own.
+std::vector<Explanation> Search::pixelOrder() const {
+  constexpr std::size_t kMost = 2000;
+  if (pairs_.size() > kMost) return {};
+  Explanation e{.hypothesis = nothing_};
+  e.hypothesis.mistake = "pixel-order";
+  std::set<std::size_t> taken;
+  for (const Pair& pair : pairs_) {
+    const Vec2 at = pixelOf(trials_.plain(), pair.point);
+    const auto isNear = [&](const Pair& other) { return length(at - other.pixel) <= within_; };
+    const auto near = std::find_if(pairs_.begin(), pairs_.end(), isNear);
+    if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) || !taken.insert(near->line).second)
+      return {};
+    e.misses.push_back(at - near->pixel);
+    e.largest = std::max(e.largest, length(e.misses.back()));
+    e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
+    std::string& words = e.hypothesis.words;
+    if (near->line != pair.line)
+      words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
+               std::to_string(near->line);
+  }
+  return {e};
+}
+
+std::vector<Explanation> Search::explanations(bool keepsSame) {
   const auto familiesAfter = [&](Table table) {
     return [this, table](const Hypothesis& first) { return families(fitOf(first), table); };
   };
-  std::vector<Hypothesis> rows = ofDocument_;
-  rows.insert(rows.end(), ofPixels_.begin(), ofPixels_.end());
-  seek(rows, Stage::rows);
+  seek(rows_, Stage::rows);
   seek(families(fitOf(nothing_), Table::simple), Stage::families);
   const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
     std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
@@ -343,10 +373,12 @@ std::vector<Explanation> Search::explanations() {
     return all;
   });
   seek(seconds, Stage::rest, 60 * static_cast<double>(seconds.size()));
-  std::vector<Hypothesis> turned = turnedPixels(ofPixels_);
+  std::vector<Hypothesis> turned = turnedPixels(rows_);
   if (!isExplained()) {
     seek(twoRows(), Stage::two);
-    seek(inTwos(turned, familiesAfter(Table::simple)), Stage::flips);
+    std::vector<Hypothesis> firsts = someOf(rows_, [](const Hypothesis& h) { return isIn(h, {"distortion-ignored"}); });
+    firsts.insert(firsts.end(), turned.begin(), turned.end());
+    seek(inTwos(firsts, familiesAfter(Table::simple)), Stage::flips);
   }
   const double poses = static_cast<double>(countOf(Table::poses));
   if (!isExplained()) seek(families(fitOf(nothing_), Table::poses), Stage::poses, poses);
@@ -359,23 +391,28 @@ std::vector<Explanation> Search::explanations() {
     const auto isWorse = [&](const Explanation& e) { return weighted(e) < weighted(beside[0]); };
     if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
   }
-  return listed(std::move(found_), within_);
+  if (found_.empty()) return pixelOrder();
+  return listed(std::move(found_), within_, keepsSame);
 }
 
 }  // namespace
 
-std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within) {
-  return Search(file, pairs, within).explanations();
+bool isSame(const Explanation& a, const Explanation& b, bool anySign) {
+  const auto isLike = [&](double x, double y) {
+    return std::fabs(anySign ? std::fabs(x) - std::fabs(y) : x - y) < 1e-6;
+  };
+  return std::equal(a.misses.begin(), a.misses.end(), b.misses.begin(),
+                    [&](const Vec2& p, const Vec2& q) { return isLike(p.x, q.x) && isLike(p.y, q.y); });
 }
 
-std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to) {
-  Trials t(to);
-  if (h.parameters == 0) {
-    addWindowRows(t);
-    addPoseRows(t);
-    addPixelRows(t);
-    return someOf(t.take(), [&](const Hypothesis& row) { return row.mistake == h.mistake; });
-  }
+std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within, bool keepsSame) {
+  return Search(file, pairs, within).explanations(keepsSame);
+}
+
+std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to,
+                                 const std::vector<Hypothesis>& rows) {
+  if (h.parameters == 0) return someOf(rows, [&](const Hypothesis& row) { return row.mistake == h.mistake; });
+  const Trials t(to);
   const PlainCamera was = plainOf(makeCamera(from)), &own = t.plain();
   Hypothesis anew = h;
   PlainCamera& camera = anew.camera;
@@ -383,8 +420,8 @@ std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, co
   camera.focal = {own.focal.x * times.x, own.focal.y * times.y};
   // About the picture's corner, if it is resized.
   const Vec2 corner = t.corners().first, off = own.centre - corner, centre = h.camera.centre - was.centre;
-  camera.centre = h.scale != 1 ? Vec2{corner.x + off.x * times.x, corner.y + off.y * times.y}
-                               : Vec2{own.centre.x + centre.x, own.centre.y + centre.y};
+  camera.centre = h.isResized ? Vec2{corner.x + off.x * times.x, corner.y + off.y * times.y}
+                              : Vec2{own.centre.x + centre.x, own.centre.y + centre.y};
   const Rows inWorld = transposed(was.axes) * h.camera.axes, inCamera = h.camera.axes * transposed(was.axes);
   camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
   camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1])

@@ -21,10 +21,16 @@ struct Explanation {
   std::vector<std::size_t> wrong = {};  ///< the lines of pairs that it does not explain
 };
 
-/// Of pairs that do not all agree within so many pixels: the best first, none where nothing explains them.
-std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within);
+/// Of pairs that do not all agree within so many pixels: the best first, none where nothing explains them. keepsSame:
+/// also mistakes that give the same pixels under another name; of another camera they may not.
+std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within,
+                                 bool keepsSame = false);
 
-/// The explanation of another camera's pairs for this camera: a row in its forms here, or the same numbers added.
-std::vector<Hypothesis> madeAnew(const Hypothesis& hypothesis, const CameraFile& from, const CameraFile& to);
+/// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
+bool isSame(const Explanation& a, const Explanation& b, bool anySign);
+
+/// The explanation of another camera's pairs for this camera: its rows of that mistake, or the same numbers added.
+std::vector<Hypothesis> madeAnew(const Hypothesis& hypothesis, const CameraFile& from, const CameraFile& to,
+                                 const std::vector<Hypothesis>& rows);
 
 }  // namespace viewproj::cmd::mistakes

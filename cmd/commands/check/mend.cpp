@@ -116,7 +116,7 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   const Mend ofFields{setsBetween(file.document, base.document), h.stretch, h.pixels};
   if (!isPose && times == Vec2{1, 1} && h.camera.centre == own.centre) return ofFields;
   const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
-  if (h.scale == 1) {
+  if (!h.isResized) {
     try {
       const Document exact = withCamera(base, own, h.camera);
       for (int digits = 3; digits <= kAllDigits; ++digits) {

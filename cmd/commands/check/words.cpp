@@ -115,9 +115,9 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
   const auto was = degreesOf(plainPose(*file.pose)), is = degreesOf(poseOf(to));
   std::string text;
   for (std::size_t i = 0; i < 3; ++i)
-    if (const std::string now = formatDigits(is[i], 4), before = formatDigits(was[i], 4); now != before)
-      text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) + now + " for " +
-              before;
+    if (std::fabs(is[i] - was[i]) > 1e-9)
+      text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) +
+              formatDigits(is[i], 4) + " for " + formatDigits(was[i], 4);
   return text;
 }
 
@@ -185,6 +185,7 @@ std::string wordsForPairs(const Hypothesis& h, const PixelMap& m) {
   add(h.places == PlaceMap::negateLon, "replace lon of the points by -lon");
   add(h.places == PlaceMap::negateLat, "replace lat of the points by -lat");
   add(h.lensPasses < 0, "undistort the pixels once; the lens is in them twice");
+  add(!h.words.empty(), h.words);
   add(h.lensPasses > 0, "do not undistort the pixels; they are undistorted twice");
   return text;
 }
