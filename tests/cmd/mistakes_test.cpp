@@ -342,20 +342,73 @@ TEST_CASE("Pixels that no mistake made are not explained") {
   CHECK(1000 * explained <= trialsOf(60));
 }
 
+TEST_CASE("Of a set, the mistake of most cameras is told, and no mend that spoils another camera") {
+  Random random(5);
+  Json document = documentOf(random, earth);
+  const auto reportOf = [&](const std::function<double(double)>& written) {
+    PairReport report(0.1);
+    std::size_t line = 0;
+    for (const double heading : {0.0, 70.0, 140.0}) {
+      document["heading"] = heading;
+      const Camera camera = cameraOf(document);
+      document["heading"] = written(heading);
+      const auto read = [&] { return std::pair(std::to_string(int(heading)), fileOf(document)); };
+      for (const Vec3& p : pointsOf(random, camera, 5, 90)) {
+        const ScreenPoint at = worldToScreen(camera, Vec4{p.x, p.y, p.z, 1});
+        report.add({p.x, p.y, p.z, 1}, Vec2{at.x, at.y}, ++line, static_cast<std::size_t>(heading), read);
+      }
+    }
+    return report.report()["explanations"];
+  };
+  // Of the camera to the north alone a turn by 90 degrees, or other axes, would do.
+  OrderedJson list = reportOf([](double heading) { return 90 - heading; });
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["mistake"] == "heading-convention");
+  CHECK(list[0]["camerasMended"] == 3);
+  list = reportOf([](double heading) { return heading == 70 ? 75 : heading; });
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["mistake"] == "heading");
+  CHECK(list[0]["camerasMended"] == 1);
+  CHECK(list[0]["mend"].is_null());
+  CHECK(list[0]["sentence"].get<std::string>().ends_with("heading 70 for 75 (70 alone)"));
+}
+
+TEST_CASE("Pixels without a lens that have another focal length are of two mistakes") {
+  for (unsigned trial = 0; trial < 5; ++trial) {
+    Random random(trial);
+    const Json right = documentOf(random, vision);
+    const Camera camera = cameraOf(right);
+    Json given = right;
+    given["distortion"] = {{"model", "brown"}, {"k", {-0.21, 0.06}}};
+    for (const char* const f : {"fx", "fy"}) given["projection"][f] = 1.1 * given["projection"][f].get<double>();
+    std::vector<Pair> pairs;
+    for (const Vec3& p : pointsOf(random, camera, 8)) {
+      const ScreenPoint at = worldToScreen(camera, p);
+      pairs.push_back({{p.x, p.y, p.z, 1}, {at.x, at.y}});
+    }
+    const std::vector<Explanation> found = explain(fileOf(given), pairs, 0.1);
+    REQUIRE(!found.empty());
+    CHECK(found[0].hypothesis.mistake == "distortion-ignored + focal-length");
+  }
+}
+
 TEST_CASE("A wrong pair is named beside a mistake") {
   int named = 0;
   for (unsigned trial = 0; trial < 30; ++trial) {
     Random random(trial);
     const Json right = documentOf(random, trial % 2 ? look : vision);
     const Camera camera = cameraOf(right);
+    const bool isLetterbox = trial % 3 != 0;  // else 0..1 across the picture
+    const double half = camera.viewport().pixelCenter - 0.5, w = camera.viewport().width, h = camera.viewport().height;
     std::vector<Pair> pairs;
     for (const Vec3& p : pointsOf(random, camera, 9)) {
       const ScreenPoint at = worldToScreen(camera, p);
       const double x = at.x + (pairs.size() == 4 ? 60 : 0);
-      pairs.push_back({{p.x, p.y, p.z, 1}, {100 + 0.7 * x, 0.7 * at.y}, pairs.size() + 1});
+      const Vec2 pixel = isLetterbox ? Vec2{100 + 0.7 * x, 0.7 * at.y} : Vec2{(x - half) / w, (at.y - half) / h};
+      pairs.push_back({{p.x, p.y, p.z, 1}, pixel, pairs.size() + 1});
     }
     const std::vector<Explanation> found = explain(fileOf(right), pairs, 0.1);
-    if (found.size() == 1 && found[0].hypothesis.mistake == "scale-and-offset" &&
+    if (found.size() == 1 && found[0].hypothesis.mistake == (isLetterbox ? "scale-and-offset" : "normalized") &&
         found[0].wrong == std::vector<std::size_t>{5})
       ++named;
   }

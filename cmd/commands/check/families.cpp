@@ -336,7 +336,9 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
                      .value = valueOf(family, fit, best.camera),
                      .camera = best.camera,
                      .parameters = static_cast<int>(by.size())};
-    if (isBetween(by[0], By::s, By::sy)) found.scale = best.camera.focal.x * best.camera.focal.y / (focal.x * focal.y);
+    found.isResized = isBetween(by[0], By::s, By::sy);
+    if (found.isResized || (by.size() > 2 && by.back() == By::cy))
+      found.scale = best.camera.focal.x * best.camera.focal.y / (focal.x * focal.y);
     if (by[0] == By::u) found.value = {"position", found.value};
     all.push_back(std::move(found));
   }

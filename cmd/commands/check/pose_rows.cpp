@@ -1,6 +1,7 @@
 // Mistakes of the pose, and of the points' axes and units.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "camera/names.hpp"
 #include "camera/read_pose.hpp"
@@ -35,6 +36,12 @@ void readAsOther(Trials& t) {
   if (t.has("target") || t.has("direction"))
     for (const Json& up : {Json{0, 1, 0}, Json{0, 0, 1}})
       if (const Json* const own = t.find("up"); !own || *own != up) t.change("up-axis", {{"up", up}});
+  for (const char* const path : {"worldFromCamera.rotationVector", "cameraFromWorld.rotationVector"})
+    if (const Json* const vector = array(path)) {
+      std::array<double, 3> radians{};
+      for (std::size_t i = 0; i < 3; ++i) radians[i] = (*vector)[i].get<double>() * std::numbers::pi / 180;
+      t.change("radians", {{path, radians}});
+    }
   const bool isRight = t.file().convention.world == Handedness::right;
   t.change("x-mirrored", {{"convention.world", isRight ? "left" : "right"}});
   const Json* const axes = t.find("cameraAxes");

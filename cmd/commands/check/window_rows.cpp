@@ -87,8 +87,7 @@ void changeAngle(Trials& t) {
     for (const char* const other : kAngles)
       if (path != other) t.change("fov-axis", {{other, *angle}});
     t.change("radians", {{path, inOtherUnit(*angle)}});
-    if (!angle->is_number()) continue;
-    const double degrees = *angle;
+    const double degrees = t.degreesOr(path, 0);
     for (const double times : {2.0, 0.5}) t.change("half-angle", {{path, degrees * times}});
     // Who made the pixels has used as many radians as there are degrees.
     const double ratio = std::tan(degrees / 2) / std::tan(degrees * std::numbers::pi / 360);
