@@ -85,8 +85,11 @@ Json rigidOf(const PlainPose& pose, CameraAxes axes, bool isInverse, const Json&
   return rigid;
 }
 
+/// An angle within half a turn of the old one, which stays as it is where rounding is all that differs.
 void putAngle(Json& root, const char* name, double degrees) {
-  if (root.contains(name) || std::fabs(degrees) > kRounding) root[name] = degrees;
+  const double old = root.contains(name) && root[name].is_number() ? root[name].get<double>() : 0;
+  const double change = std::remainder(degrees - old, 360);
+  if (std::fabs(change) > 360 * kRounding) root[name] = old + change;
 }
 
 /// A target at its old distance, or a direction; and up, if the old one does not give this pose.

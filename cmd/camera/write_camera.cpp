@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/change_camera.hpp"
+#include "camera/patch.hpp"
 #include "text/json_text.hpp"
 
 namespace viewproj::cmd {
@@ -58,6 +59,31 @@ std::string objectAt(const Json& document, const std::string& path) {
   return out.text();
 }
 
+bool differ(const Json* a, const Json* b) { return a && b ? *a != *b : a != b; }
+
+/// As --set reads it: "60", "60deg", "1,2,3", or JSON.
+std::string shortTextOf(const Field& field, const Json& value) {
+  if (value.is_string()) return value;
+  const bool isList = value.is_array() && value.size() > 1 &&
+                      std::all_of(value.begin(), value.end(), [](const Json& part) { return part.is_number(); });
+  if (!isList) return textOf(field, value);
+  std::string text;
+  for (const Json& part : value) text += (text.empty() ? "" : ",") + textOf(part);
+  return text;
+}
+
+/// What makes the second value of the first: of objects with the same members, what makes each of those.
+void addSets(const std::string& path, const Field& field, const Json* from, const Json* to,
+             std::vector<std::string>& sets) {
+  if (!differ(from, to)) return;
+  const auto isLike = [&](const auto& member) { return to->contains(member.key()); };
+  if (from && to && from->is_object() && to->is_object() && from->size() == to->size() &&
+      std::all_of(from->items().begin(), from->items().end(), isLike))
+    for (const auto& [name, value] : from->items()) addSets(joinedPath(path, name), field, &value, &(*to)[name], sets);
+  else
+    sets.push_back(path + "=" + (to ? shortTextOf(field, *to) : "null"));
+}
+
 }  // namespace
 
 std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention,
@@ -77,20 +103,26 @@ std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset
 
 std::vector<std::string> setsBetween(const Document& from, const Document& to) {
   std::vector<std::string> sets;
-  const auto differ = [&](std::string_view path) {
-    const Json *const a = valueAt(*from.root, path), *const b = valueAt(*to.root, path);
-    return a && b ? *a != *b : a != b;
-  };
-  const bool isOther = valueAt(*to.root, "projection") && differ("projection.type");
+  const Json* const type = valueAt(*to.root, "projection.type");
+  const bool isOther = type && differ(valueAt(*from.root, "projection.type"), type);
   if (isOther) sets.push_back("projection=" + objectAt(*to.root, "projection"));
   for (const Field& field : kFields) {
-    if (!differ(field.path) || (isOther && field.types != 0)) continue;
-    const Json* const value = valueAt(*to.root, field.path);
-    const bool isPlain = value && value->is_string();
-    sets.push_back(std::string(field.path) + "=" +
-                   (isPlain ? value->get<std::string>()
-                    : value ? textOf(field, *value)
-                            : "null"));
+    if (isOther && field.types != 0) continue;
+    std::string path(field.path);
+    for (std::size_t dot = path.find('.'); dot < path.size(); dot = path.find('.', dot + 1))
+      if (const std::string object = path.substr(0, dot); !valueAt(*to.root, object)) path = object;  // all of it goes
+    if (sets.empty() || sets.back() != path + "=null")
+      addSets(path, field, valueAt(*from.root, path), valueAt(*to.root, path), sets);
+  }
+  // What another field removes needs no null.
+  for (std::size_t i = sets.size(); i-- > 0;) {
+    std::vector<Patch> others;
+    for (std::size_t j = 0; j < sets.size(); ++j)
+      if (j != i) others.push_back(setPatch(sets[j]));
+    Document without{from.name, std::make_shared<Json>(*from.root)};
+    if (!sets[i].ends_with("=null")) continue;
+    applyPatches(without, others);
+    if (*without.root == *to.root) sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return sets;
 }

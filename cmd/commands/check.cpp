@@ -95,31 +95,24 @@ int runCheck(const CheckOptions& o) {
   const CameraFile file = o.camera.readOne(cameras, o.cameraBy ? 0 : cameras.choose(set.second));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  mistakes::SetReport all(o.within);
-  std::optional<mistakes::PairReport> one;
-  if (!o.cameraBy) one.emplace(file, o.within);
+  mistakes::PairReport all = o.cameraBy ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);
   const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
     const Vec4 point = toPoint(plan, numbers);
     const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
-    if (one) {
-      one->add(point, pixel, line);
-      return;
-    }
+    if (!o.cameraBy) return all.add(point, pixel, line);
     const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
     const auto which = cameras.find(name);
     if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
-    const auto read = [&] {
+    all.add(point, pixel, line, *which, [&] {
       CameraFile each = o.camera.readOne(cameras, *which);
       if (each.worldIsEcef != file.worldIsEcef)
         throw InputError(each.name + ": expected all cameras on the Earth, or none");
       return std::pair(cameras.pickOf(*which), std::move(each));
-    };
-    all.add(*which, read, point, pixel, line);
+    });
   };
   const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
-  if ((one ? one->records() : all.records()) == 0)
-    throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = one ? one->report() : all.report();
+  if (all.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
+  const OrderedJson report = all.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }

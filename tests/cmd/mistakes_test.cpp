@@ -67,7 +67,8 @@ Document documentOf(const Json& json) {
   normalize(document);
   return document;
 }
-Camera cameraOf(const Json& json) { return makeCamera(readCamera(documentOf(json), {})); }
+CameraFile fileOf(const Json& json) { return readCamera(documentOf(json), {}); }
+Camera cameraOf(const Json& json) { return makeCamera(fileOf(json)); }
 
 /// Points in the picture.
 std::vector<Vec3> pointsOf(Random& random, const Camera& camera, int count, double nearest = 3) {
@@ -268,7 +269,7 @@ TEST_CASE("A mistake is named, and no other beside it") {
     for (unsigned trial = 0; trial < 4; ++trial) {
       const auto [given, pairs] = caseOf(wrong, trial, 7);
       CAPTURE(wrong.mistake, trial, given.dump());
-      const std::vector<Explanation> found = explain(documentOf(given), {}, pairs, 0.1);
+      const std::vector<Explanation> found = explain(fileOf(given), pairs, 0.1);
       REQUIRE(!found.empty());
       CHECK(found[0].hypothesis.mistake == wrong.mistake);
       CHECK(found[0].largest < 0.01);
@@ -276,12 +277,13 @@ TEST_CASE("A mistake is named, and no other beside it") {
       ++tried;
       // What is judged is the mend itself, through the library.
       const Hypothesis& h = found[0].hypothesis;
-      const Trials trials(documentOf(given), {});
-      const Mend mend = mendOf(trials.file(), found[0], pairs);
+      const Mend mend = mendOf(fileOf(given), found[0], pairs);
       const std::string words = wordsForPairs(h, mend.pixels);
       CAPTURE(mend.options(), words);
-      CHECK(words.empty() == !(mend.pixels != PixelMap{} || h.lensPasses != 0 || h.movesPoints()));
-      const Camera mended = makeCamera(changed(trials.file(), mend.patches(), mend.stretch));
+      CHECK(words.empty() == !(mend.pixels != PixelMap{} || h.lensPasses != 0 || h.points != kUnit));
+      std::vector<Patch> patches;
+      for (const std::string& set : mend.sets) patches.push_back(setPatch(set));
+      const Camera mended = makeCamera(changed(fileOf(given), patches, mend.stretch));
       for (const Pair& pair : pairs) {
         const ScreenPoint at = worldToScreen(mended, h.point(pair.point));
         const Vec2 q = mend.pixels(pair.pixel);
@@ -309,7 +311,7 @@ TEST_CASE("A mistake is found as often in few pairs and in noise") {
     for (const Wrong& wrong : kWrong)
       for (unsigned trial = 0; trial < trialsOf(1); ++trial, ++all) {
         const auto [given, pairs] = caseOf(wrong, trial, share.pairs, share.noise);
-        const std::vector<Explanation> found = explain(documentOf(given), {}, pairs, 0.1);
+        const std::vector<Explanation> found = explain(fileOf(given), pairs, 0.1);
         // One pixel is not told from noise.
         const bool isFirst =
             !found.empty() && (found[0].hypothesis.mistake == wrong.mistake ||
@@ -335,29 +337,79 @@ TEST_CASE("Pixels that no mistake made are not explained") {
     std::vector<Pair> pairs;
     for (const Vec3& p : pointsOf(random, camera, 2 + static_cast<int>(trial % 5)))
       pairs.push_back({{p.x, p.y, p.z, 1}, {random.uniform(0, 640), random.uniform(0, 480)}});
-    explained += !explain(documentOf(document), {}, pairs, 0.1).empty();
+    explained += !explain(fileOf(document), pairs, 0.1).empty();
   }
   CHECK(1000 * explained <= trialsOf(60));
 }
 
-TEST_CASE("A wrong pair is named, alone or beside a mistake") {
+TEST_CASE("Of a set, the mistake of most cameras is told, and no mend that spoils another camera") {
+  Random random(5);
+  Json document = documentOf(random, earth);
+  const auto reportOf = [&](const std::function<double(double)>& written) {
+    PairReport report(0.1);
+    std::size_t line = 0;
+    for (const double heading : {0.0, 70.0, 140.0}) {
+      document["heading"] = heading;
+      const Camera camera = cameraOf(document);
+      document["heading"] = written(heading);
+      const auto read = [&] { return std::pair(std::to_string(int(heading)), fileOf(document)); };
+      for (const Vec3& p : pointsOf(random, camera, 5, 90)) {
+        const ScreenPoint at = worldToScreen(camera, Vec4{p.x, p.y, p.z, 1});
+        report.add({p.x, p.y, p.z, 1}, Vec2{at.x, at.y}, ++line, static_cast<std::size_t>(heading), read);
+      }
+    }
+    return report.report()["explanations"];
+  };
+  // Of the camera to the north alone a turn by 90 degrees, or other axes, would do.
+  OrderedJson list = reportOf([](double heading) { return 90 - heading; });
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["mistake"] == "heading-convention");
+  CHECK(list[0]["camerasMended"] == 3);
+  list = reportOf([](double heading) { return heading == 70 ? 75 : heading; });
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["mistake"] == "heading");
+  CHECK(list[0]["camerasMended"] == 1);
+  CHECK(list[0]["mend"].is_null());
+  CHECK(list[0]["sentence"].get<std::string>().ends_with("heading 70 for 75 (70 alone)"));
+}
+
+TEST_CASE("Pixels without a lens that have another focal length are of two mistakes") {
+  for (unsigned trial = 0; trial < 5; ++trial) {
+    Random random(trial);
+    const Json right = documentOf(random, vision);
+    const Camera camera = cameraOf(right);
+    Json given = right;
+    given["distortion"] = {{"model", "brown"}, {"k", {-0.21, 0.06}}};
+    for (const char* const f : {"fx", "fy"}) given["projection"][f] = 1.1 * given["projection"][f].get<double>();
+    std::vector<Pair> pairs;
+    for (const Vec3& p : pointsOf(random, camera, 8)) {
+      const ScreenPoint at = worldToScreen(camera, p);
+      pairs.push_back({{p.x, p.y, p.z, 1}, {at.x, at.y}});
+    }
+    const std::vector<Explanation> found = explain(fileOf(given), pairs, 0.1);
+    REQUIRE(!found.empty());
+    CHECK(found[0].hypothesis.mistake == "distortion-ignored + focal-length");
+  }
+}
+
+TEST_CASE("A wrong pair is named beside a mistake") {
   int named = 0;
   for (unsigned trial = 0; trial < 30; ++trial) {
     Random random(trial);
     const Json right = documentOf(random, trial % 2 ? look : vision);
     const Camera camera = cameraOf(right);
+    const bool isLetterbox = trial % 3 != 0;  // else 0..1 across the picture
+    const double half = camera.viewport().pixelCenter - 0.5, w = camera.viewport().width, h = camera.viewport().height;
     std::vector<Pair> pairs;
-    std::vector<Vec2> misses;
     for (const Vec3& p : pointsOf(random, camera, 9)) {
       const ScreenPoint at = worldToScreen(camera, p);
-      pairs.push_back({{p.x, p.y, p.z, 1}, {at.x + (pairs.size() == 4 ? 60 : 0), at.y}});
-      misses.push_back({pairs.size() == 5 ? 60.0 : 0.0, 0});
+      const double x = at.x + (pairs.size() == 4 ? 60 : 0);
+      const Vec2 pixel = isLetterbox ? Vec2{100 + 0.7 * x, 0.7 * at.y} : Vec2{(x - half) / w, (at.y - half) / h};
+      pairs.push_back({{p.x, p.y, p.z, 1}, pixel, pairs.size() + 1});
     }
-    CHECK(wrongPairs(misses, 0.1) == std::vector<std::size_t>{4});
-    for (Pair& pair : pairs) pair.pixel.x = 100 + 0.7 * pair.pixel.x, pair.pixel.y = 0.7 * pair.pixel.y;
-    const std::vector<Explanation> found = explain(documentOf(right), {}, pairs, 0.1);
-    if (found.size() == 1 && found[0].hypothesis.mistake == "scale-and-offset" &&
-        found[0].wrong == std::vector<std::size_t>{4})
+    const std::vector<Explanation> found = explain(fileOf(right), pairs, 0.1);
+    if (found.size() == 1 && found[0].hypothesis.mistake == (isLetterbox ? "scale-and-offset" : "normalized") &&
+        found[0].wrong == std::vector<std::size_t>{5})
       ++named;
   }
   CHECK(named >= 26);
@@ -365,20 +417,23 @@ TEST_CASE("A wrong pair is named, alone or beside a mistake") {
 
 TEST_CASE("Pixels in another order are given back to their points") {
   Random random(1);
-  const Camera camera = cameraOf(documentOf(random, look));
-  std::vector<Pair> pairs;
-  for (const Vec3& p : pointsOf(random, camera, 5)) {
-    const ScreenPoint at = worldToScreen(camera, p);
-    pairs.push_back({{p.x, p.y, p.z, 1}, {at.x, at.y}});
+  const Json document = documentOf(random, look);
+  PairReport report(fileOf(document), 0.1);
+  const std::vector<Vec3> points = pointsOf(random, cameraOf(document), 5);
+  for (const std::size_t i : {0, 1, 2, 3, 4}) {
+    const Vec3 &p = points[i], &other = points[i == 1 ? 3 : i == 3 ? 1 : i];
+    const ScreenPoint at = worldToScreen(cameraOf(document), other);
+    report.add({p.x, p.y, p.z, 1}, Vec2{at.x, at.y}, i + 1);
   }
-  CHECK(pixelOrder(camera, pairs, 0.1).empty());
-  std::swap(pairs[1].pixel, pairs[3].pixel);
-  CHECK(pixelOrder(camera, pairs, 0.1) == std::vector<std::size_t>{0, 3, 2, 1, 4});
+  const OrderedJson list = report.report()["explanations"];
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["mistake"] == "pixel-order");
+  CHECK(list[0]["pairs"] == "give line 2 the pixel of line 4, line 4 the pixel of line 2");
 }
 
 TEST_CASE("A report counts every pair, tells the misses, and names wrong pairs before the camera") {
   Random random(3);
-  const CameraFile file = readCamera(documentOf(documentOf(random, look)), {});
+  const CameraFile file = fileOf(documentOf(random, look));
   const Camera camera = makeCamera(file);
   PairReport few(file, 0.1), many(file, 0.1);
   std::size_t line = 1;

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
-
-#include "text/error.hpp"
 
 namespace viewproj::cmd::mistakes {
 
@@ -28,7 +25,7 @@ enum class By : std::uint8_t {
   k1, k2, p1, p2  // the lens
 };
 
-/// value: its numbers. f g: factors of the focal lengths; x y: pixels; d: degrees; X Y Z u: the eye's way, and up; s: the
+/// value: its numbers. f g: factors of the focal lengths; x y: pixels; d: degrees; X Y Z U: the eye's way, and up; u: the
 /// factor of its distance from the origin; k l p q: the lens.
 struct Family {
   const char* mistake;
@@ -41,7 +38,7 @@ const std::vector<Family>& familiesOf(Table table) {
   static const std::vector<Family> kSimple = {
       {"focal-length", {f}, "f"}, {"focal-lengths", {fx}, "fg"}, {"focal-lengths", {fy}, "fg"}, {"pixel-ratio", {s}, "f"},
       {"principal-point", {cx}, "xy"}, {"principal-point", {cy}, "xy"}, {"heading", {h}, "d"}, {"pitch", {p}, "d"},
-      {"roll", {r}, "d"}, {"height", {up}, "u"}, {"unit", {u}, "s"}, {"lens", {k1}, "k"},
+      {"roll", {r}, "d"}, {"height", {up}, "U"}, {"unit", {u}, "u"}, {"lens", {k1}, "k"},
       {"focal-lengths", {fx, fy}, "fg"}, {"resized", {sx, sy}, "fg"}, {"principal-point", {cx, cy}, "xy"},
       {"lens", {k1, k2}, "kl"}, {"rotation", {rx, ry, rz}, "d"}, {"eye", {X, Y, Z}, "XYZ"},
       {"scale-and-offset", {f, cx, cy}, "fxy"}, {"scales-and-offset", {fx, fy, cx, cy}, "fgxy"},
@@ -59,246 +56,236 @@ const std::vector<Family>& familiesOf(Table table) {
 bool isBetween(By by, By first, By last) { return by >= first && by <= last; }
 std::size_t offsetOf(By by, By first) { return static_cast<std::size_t>(by) - static_cast<std::size_t>(first); }
 
-/// The axis of a heading, a pitch or a roll in the world.
-Vec3 axisOf(const PlainCamera& camera, const Vec3& up, By by) {
-  if (by == By::h) return up;
-  if (by == By::r) return camera.axes[2];
-  const Vec3 right = crossOf(camera.axes[2], up);
-  const double size = length(right);
-  if (size < 1e-6) return camera.axes[0];
-  return scaled(right, (dot(right, camera.axes[0]) < -1e-9 ? -1 : 1) / size);
+/// The axis of a turn, in the camera.
+Vec3 axisOf(const Fit& fit, const PlainCamera& camera, By by) {
+  const Rows& axes = camera.axes;
+  if (by == By::h) return axes * fit.up;
+  if (by == By::r) return {0, 0, 1};
+  if (isBetween(by, By::wx, By::wz)) return axes * fit.world[offsetOf(by, By::wx)];
+  if (isBetween(by, By::rx, By::rz)) return kUnit[offsetOf(by, By::rx)];
+  const Vec3 right = crossOf(axes[2], fit.up);
+  if (length(right) < 1e-6) return {1, 0, 0};
+  return axes * scaled(right, (dot(right, axes[0]) < -1e-9 ? -1 : 1) / length(right));
 }
 
-class Solver {
- public:
-  Solver(const Fit& fit, const Family& family, double size, std::size_t wrong)
-      : fit_(fit), by_(family.by), size_(size), wrong_(wrong) {}
-
-  struct Solution {
-    PlainCamera camera;
-    double cost = HUGE_VAL;
-  };
-  Solution solve(PlainCamera camera, int steps) const;
-
- private:
-  using Numbers = std::vector<double>;
-
-  PlainCamera moved(const PlainCamera& from, const Numbers& values) const;
-  /// x and y of each pair, NaN without a pixel.
-  Numbers misses(const PlainCamera& camera) const;
-  double costOf(const Numbers& misses, const Numbers& weights) const;
-  Numbers distances(const Numbers& misses) const;
-
-  const Fit& fit_;
-  const std::vector<By>& by_;
-  double size_;
-  std::size_t wrong_;
-};
-
-PlainCamera Solver::moved(const PlainCamera& from, const Numbers& values) const {
+/// size: the median distance of the pairs.
+PlainCamera moved(const Fit& fit, double size, const PlainCamera& from, const std::vector<By>& by,
+                  const std::vector<double>& values) {
   PlainCamera to = from;
   Vec3 turned{};  // in the camera's axes
-  const auto& corner = fit_.corner;
-  for (std::size_t i = 0; i < by_.size(); ++i) {
-    const By by = by_[i];
+  for (std::size_t i = 0; i < by.size(); ++i) {
+    const By one = by[i];
     const double v = values[i];
-    if (by == By::f || by == By::fx || by == By::s || by == By::sx) to.focal.x *= 1 + v;
-    if (by == By::f || by == By::fy || by == By::s || by == By::sy) to.focal.y *= 1 + v;
-    if (by == By::s || by == By::sx) to.centre.x = corner.x + (to.centre.x - corner.x) * (1 + v);
-    if (by == By::s || by == By::sy) to.centre.y = corner.y + (to.centre.y - corner.y) * (1 + v);
-    if (by == By::cx) to.centre.x += v * 1000;
-    if (by == By::cy) to.centre.y += v * 1000;
-    if (isBetween(by, By::h, By::r)) turned = sum(turned, v, from.axes * axisOf(from, fit_.up, by));
-    if (isBetween(by, By::wx, By::wz)) turned = sum(turned, v, column(from.axes, offsetOf(by, By::wx)));
-    if (isBetween(by, By::rx, By::rz)) turned[offsetOf(by, By::rx)] += v;
-    if (isBetween(by, By::X, By::Z)) to.eye[offsetOf(by, By::X)] += v * size_;
-    if (by == By::up) to.eye = sum(to.eye, v * size_, fit_.up);
-    if (by == By::u) to.eye = scaled(to.eye, 1 + v);
-    if (by >= By::k1 && !to.trial) {
+    const bool isScale = isBetween(one, By::s, By::sy);
+    if (one == By::f || one == By::fx || one == By::s || one == By::sx) to.focal.x *= 1 + v;
+    if (one == By::f || one == By::fy || one == By::s || one == By::sy) to.focal.y *= 1 + v;
+    if (isScale && one != By::sy) to.centre.x += v * (to.centre.x - fit.corner.x);
+    if (isScale && one != By::sx) to.centre.y += v * (to.centre.y - fit.corner.y);
+    if (one == By::cx) to.centre.x += v * 1000;
+    if (one == By::cy) to.centre.y += v * 1000;
+    if (isBetween(one, By::h, By::rz)) turned = sum(turned, v, axisOf(fit, from, one));
+    if (isBetween(one, By::X, By::Z)) to.eye = sum(to.eye, v * size, fit.world[offsetOf(one, By::X)]);
+    if (one == By::up) to.eye = sum(to.eye, v * size, fit.up);
+    if (one == By::u) to.eye = scaled(to.eye, 1 + v);
+    if (one >= By::k1 && !to.trial) {
       to.trial = TrialLens{};
-      if (from.lens) to.trial = TrialLens{{from.lens->k()[0], from.lens->k()[1], from.lens->k()[2]}, from.lens->p()};
+      if (from.lens) to.trial = {{from.lens->k()[0], from.lens->k()[1], from.lens->k()[2]}, from.lens->p()};
     }
-    if (isBetween(by, By::k1, By::k2)) to.trial->k[offsetOf(by, By::k1)] += v;
-    if (isBetween(by, By::p1, By::p2)) to.trial->p[offsetOf(by, By::p1)] += v;
+    if (isBetween(one, By::k1, By::k2)) to.trial->k[offsetOf(one, By::k1)] += v;
+    if (isBetween(one, By::p1, By::p2)) to.trial->p[offsetOf(one, By::p1)] += v;
   }
   if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
   return to;
 }
 
-Solver::Numbers Solver::misses(const PlainCamera& camera) const {
+// ---- The solver: damped Gauss-Newton (Levenberg), with derivatives by differences
+
+using Numbers = std::vector<double>;
+
+/// Equations of a positive definite matrix, each with its right side behind it; nothing if they have no solution.
+std::optional<Numbers> solved(std::vector<Numbers> rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(rows[i][i] > 0)) return std::nullopt;
+    for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t k = n + 1; k-- > i;) rows[j][k] -= rows[j][i] / rows[i][i] * rows[i][k];
+  }
+  Numbers x(n);
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) rows[i][n] -= rows[i][j] * x[j];
+    x[i] = rows[i][n] / rows[i][i];
+    if (!std::isfinite(x[i])) return std::nullopt;
+  }
+  return x;
+}
+
+double medianOf(Numbers all) {
+  std::sort(all.begin(), all.end());
+  return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
+}
+
+struct Solution {
+  PlainCamera camera;
+  double cost = HUGE_VAL;
+};
+
+class Solver {
+ public:
+  /// wrong: how many pairs may be.
+  Solver(const Fit& fit, double size, const std::vector<By>& by, std::size_t wrong)
+      : fit_(fit), size_(size), by_(by), wrong_(wrong) {}
+
+  Solution from(PlainCamera camera, int steps) const;
+
+ private:
+  PlainCamera changed(const PlainCamera& camera, const Numbers& values) const {
+    return moved(fit_, size_, camera, by_, values);
+  }
+  /// x and y of each pair, NaN without a pixel.
+  Numbers misses(const PlainCamera& camera) const;
+  /// Of each pair: 0 without a pixel, else 1; or less, if pairs may be wrong, the more it misses beside the others.
+  Numbers weights(const Numbers& misses, int step) const;
+  static double costOf(const Numbers& misses, const Numbers& weights);
+  std::optional<std::vector<Numbers>> equations(const PlainCamera& camera, const Numbers& misses,
+                                                const Numbers& weights) const;
+
+  const Fit& fit_;
+  double size_;
+  const std::vector<By>& by_;
+  std::size_t wrong_;
+};
+
+Numbers Solver::misses(const PlainCamera& camera) const {
   Numbers all;
-  all.reserve(2 * fit_.pairs.size());
   for (const Pair& pair : fit_.pairs) {
-    const Vec2 at = pixelOf(camera, pair.point);
-    all.push_back(at.x - pair.pixel.x);
-    all.push_back(at.y - pair.pixel.y);
+    const Vec2 miss = pixelOf(camera, pair.point) - pair.pixel;
+    all.insert(all.end(), {miss.x, miss.y});
   }
   return all;
 }
 
-double Solver::costOf(const Numbers& misses, const Numbers& weights) const {
+Numbers Solver::weights(const Numbers& misses, int step) const {
+  Numbers distances, weights;
+  for (std::size_t i = 0; i < misses.size(); i += 2) {
+    const double distance = length(Vec2{misses[i], misses[i + 1]});
+    weights.push_back(std::isfinite(distance) ? 1 : 0);
+    distances.push_back(std::isfinite(distance) ? distance : 1e9);
+  }
+  if (wrong_ == 0) return weights;
+  Numbers sorted = distances;
+  std::sort(sorted.begin(), sorted.end());
+  const double sigma = std::max({std::ldexp(sorted[sorted.size() - wrong_ - 1], -step), medianOf(sorted), 1e-4});
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    weights[i] /= std::pow(1 + distances[i] * distances[i] / (sigma * sigma), 2);
+  return weights;
+}
+
+double Solver::costOf(const Numbers& misses, const Numbers& weights) {
   double cost = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0) cost += weights[i] * (misses[2 * i] * misses[2 * i] + misses[2 * i + 1] * misses[2 * i + 1]);
+  for (std::size_t i = 0; i < misses.size(); ++i)
+    if (weights[i / 2] > 0) cost += weights[i / 2] * misses[i] * misses[i];
   return std::isfinite(cost) ? cost : HUGE_VAL;
 }
 
-Solver::Numbers Solver::distances(const Numbers& misses) const {
-  Numbers all;
-  for (std::size_t i = 0; i < misses.size(); i += 2) {
-    const double distance = length(Vec2{misses[i], misses[i + 1]});
-    all.push_back(std::isfinite(distance) ? distance : 1e9);
-  }
-  return all;
-}
-
-/// Solves a system with a positive definite matrix in place (Cholesky); false if there is no solution.
-bool solveSystem(std::vector<std::vector<double>> a, std::vector<double>& b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      for (std::size_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
-      if (i == j && !(a[i][i] > 0)) return false;
-      a[i][j] = i == j ? std::sqrt(a[i][i]) : a[i][j] / a[j][j];
-    }
-    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[k][i] * b[k];
-    b[i] /= a[i][i];
-  }
-  return std::all_of(b.begin(), b.end(), [](double x) { return std::isfinite(x); });
-}
-
-// Damped Gauss-Newton (Levenberg): derivatives by differences; the damping grows where a step fails.
-Solver::Solution Solver::solve(PlainCamera camera, int steps) const {
+std::optional<std::vector<Numbers>> Solver::equations(const PlainCamera& camera, const Numbers& now,
+                                                      const Numbers& weights) const {
   constexpr double kStep = 1e-6;
-  const std::size_t n = fit_.pairs.size(), count = by_.size();
-  const auto seenBy = [&](const PlainCamera& by) {
-    Numbers weights;
-    const Numbers all = misses(by);
-    for (std::size_t i = 0; i < n; ++i) weights.push_back(std::isfinite(all[2 * i] + all[2 * i + 1]) ? 1 : 0);
-    return weights;
-  };
-  Numbers weights = seenBy(camera);  // points behind the start count from the second step on
-  if (std::accumulate(weights.begin(), weights.end(), 0.0) < std::max<double>(1, static_cast<double>((count + 1) / 2)))
-    return {camera};
-  double damping = 1e-6, sigma = 0;
-  for (int step = 0; step < steps; ++step) {
-    const Numbers now = misses(camera);
-    if (wrong_ > 0) {
-      Numbers sorted = distances(now);
-      const Numbers all = sorted;
-      std::sort(sorted.begin(), sorted.end());
-      const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
-      sigma = sigma == 0 ? sorted[n - wrong_ - 1] : std::max({sigma / 2, median, 1e-4});
-      for (std::size_t i = 0; i < n; ++i) {
-        const double share = all[i] / std::max(sigma, 1e-4);
-        weights[i] = std::isfinite(now[2 * i]) ? 1 / ((1 + share * share) * (1 + share * share)) : 0;
-      }
-    } else if (step == 1) {
-      weights = seenBy(camera);
-    }
-    const double cost = costOf(now, weights);
-    if (!std::isfinite(cost)) return {camera};
-    std::vector<Numbers> slopes(count);
-    for (std::size_t j = 0; j < count; ++j) {
-      Numbers values(count);
+  const std::size_t count = by_.size();
+  std::vector<Numbers> columns, rows(count, Numbers(count + 1));  // what each parameter changes, and what is to be
+  for (std::size_t j = 0; j <= count; ++j) {
+    Numbers values(count), column(now.size());
+    if (j < count) {
       values[j] = kStep;
-      slopes[j] = misses(moved(camera, values));
-      for (std::size_t i = 0; i < 2 * n; ++i) {
-        slopes[j][i] = weights[i / 2] > 0 ? (slopes[j][i] - now[i]) / kStep : 0;
-        if (!std::isfinite(slopes[j][i])) return {camera};
-      }
+      column = misses(changed(camera, values));
     }
-    std::vector<Numbers> normal(count, Numbers(count));
-    Numbers gradient(count);
-    for (std::size_t a = 0; a < count; ++a) {
-      for (std::size_t i = 0; i < 2 * n; ++i)
-        if (weights[i / 2] > 0) gradient[a] -= weights[i / 2] * slopes[a][i] * now[i];
-      for (std::size_t b = 0; b <= a; ++b) {
-        for (std::size_t i = 0; i < 2 * n; ++i) normal[a][b] += weights[i / 2] * slopes[a][i] * slopes[b][i];
-        normal[b][a] = normal[a][b];
-      }
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double weight = weights[i / 2];
+      column[i] = weight > 0 ? std::sqrt(weight) * (column[i] - now[i]) / (j < count ? kStep : 1) : 0;
+      if (!std::isfinite(column[i])) return std::nullopt;
     }
+    columns.push_back(std::move(column));
+  }
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b <= count; ++b)
+      rows[a][b] = std::inner_product(columns[a].begin(), columns[a].end(), columns[b].begin(), 0.0);
+  return rows;
+}
+
+Solution Solver::from(PlainCamera camera, int steps) const {
+  Numbers now = misses(camera), weight = weights(now, 0);
+  const auto n = static_cast<double>(fit_.pairs.size()), count = static_cast<double>(by_.size());
+  if (2 * std::accumulate(weight.begin(), weight.end(), 0.0) < std::max(2.0, count)) return {camera};
+  double damping = 1e-6;
+  for (int step = 0; step < steps; ++step) {
+    weight = weights(now, step);  // points behind the start count once they are seen
+    const double cost = costOf(now, weight);
+    const auto rows = equations(camera, now, weight);
+    if (!std::isfinite(cost) || !rows) return {camera};
     PlainCamera next = camera;
-    double then = HUGE_VAL;
-    for (int attempt = 0; attempt < 14 && !(then < cost); ++attempt) {
-      std::vector<Numbers> damped = normal;
-      for (std::size_t a = 0; a < count; ++a) damped[a][a] += damping * std::max(normal[a][a], 1e-300);
-      Numbers change = gradient;
-      if (solveSystem(std::move(damped), change)) {
-        next = moved(camera, change);
-        then = costOf(misses(next), weights);
+    Numbers then = now;
+    double left = HUGE_VAL;
+    for (int attempt = 0; attempt < 14 && !(left < cost); ++attempt) {  // the damping grows where a step fails
+      std::vector<Numbers> damped = *rows;
+      for (std::size_t a = 0; a < by_.size(); ++a) damped[a][a] += damping * std::max(damped[a][a], 1e-300);
+      if (const auto values = solved(std::move(damped))) {
+        next = changed(camera, *values);
+        then = misses(next);
+        left = costOf(then, weight);
       }
-      if (!(then < cost)) damping = std::max(damping, 1e-9) * 10;
+      if (!(left < cost)) damping = std::max(damping, 1e-9) * 10;
     }
-    if (!(then < cost)) break;
+    if (!(left < cost)) break;
     camera = next;
+    now = then;
     damping /= 10;
-    if (wrong_ == 0 && step > 0 && (cost - then < 1e-10 * cost || then < 1e-18 * static_cast<double>(n))) break;
+    if (wrong_ == 0 && step > 0 && (cost - left < 1e-10 * cost || left < 1e-18 * n)) break;
   }
-  return {camera, costOf(misses(camera), wrong_ == 0 ? Numbers(n, 1) : weights)};
+  return {camera, costOf(now, wrong_ == 0 ? Numbers(fit_.pairs.size(), 1) : weight)};
 }
 
-/// Of the given pixels, in the camera's axes; 0 where the lens has none.
-std::vector<Vec3> raysOf(const PlainCamera& camera, const std::vector<Pair>& pairs) {
-  std::vector<Vec3> rays;
-  for (const Pair& pair : pairs) {
-    const Vec2 at{(pair.pixel.x - camera.centre.x) / camera.focal.x, (pair.pixel.y - camera.centre.y) / camera.focal.y};
-    const Vec3 ray = camera.lens ? undistorted(*camera.lens, at) : Vec3{at.x, at.y, 1};
-    rays.push_back(std::isfinite(ray.x + ray.y) ? scaled(ray, 1 / length(ray)) : Vec3{});
-  }
-  return rays;
-}
-
-/// The turned cameras whose rays agree best with the points: about an axis of the camera's, or any.
+/// The camera turned by quarters about an axis of its own, or about any: so many whose rays agree best with the points.
 std::vector<PlainCamera> startsOf(const Fit& fit, const std::optional<Vec3>& axis, std::size_t count) {
-  std::vector<Rows> turns;
-  if (axis) {
-    for (int quarter = 0; quarter < 4; ++quarter) turns.push_back(turn(scaled(*axis, quarter * std::numbers::pi / 2)));
-  } else {
+  std::vector<std::pair<double, Rows>> turns;  // with how badly they agree
+  for (int quarter = 0; axis && quarter < 4; ++quarter)
+    turns.emplace_back(0, turn(scaled(*axis, quarter * std::numbers::pi / 2)));
+  if (!axis)
     for (const auto& [name, rows] : signedAxes())
-      if (determinant(rows) > 0) turns.push_back(rows);
+      if (determinant(rows) > 0) turns.emplace_back(0, rows);
+  for (const Pair& pair : fit.pairs) {
+    const Vec3 ray = rayOf(fit.camera, pair.pixel), way = unit(fit.camera.axes * wayTo(fit.camera, pair.point));
+    for (auto& [agreement, rows] : turns) agreement -= dot(rows * way, ray);
   }
-  const std::vector<Vec3> rays = raysOf(fit.camera, fit.pairs);
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t t = 0; t < turns.size(); ++t) {
-    double agreement = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Vec4& p = fit.pairs[i].point;
-      const Vec3 way = fit.camera.axes * sum({p.x, p.y, p.z}, -p.w, fit.camera.eye);
-      agreement += dot(turns[t] * way, rays[i]) / length(way);
-    }
-    order.emplace_back(-agreement, t);
-  }
-  std::sort(order.begin(), order.end());
+  std::stable_sort(turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PlainCamera> starts;
-  for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     starts.push_back(fit.camera);
-    starts.back().axes = turns[order[i].second] * fit.camera.axes;
+    starts.back().axes = turns[i].second * fit.camera.axes;
   }
   return starts;
 }
 
-double medianDistance(const Fit& fit) {
-  std::vector<double> all;
-  for (const Pair& pair : fit.pairs) {
-    const Vec4& p = pair.point;
-    const double weight = p.w == 0 ? 1 : p.w;
-    all.push_back(length(sum({p.x / weight, p.y / weight, p.z / weight}, p.w == 0 ? 0 : -1, fit.camera.eye)));
-  }
-  std::sort(all.begin(), all.end());
-  return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
+std::vector<PlainCamera> startsOf(const Fit& fit, const std::vector<By>& by) {
+  if (fit.camera.isOrthographic || !isBetween(by[0], By::h, By::rz)) return {fit.camera};
+  if (by[0] == By::rx) return startsOf(fit, std::nullopt, by.size() < 6 ? 3 : 6);
+  return startsOf(fit, axisOf(fit, fit.camera, by[0]), 2);
+}
+
+/// Whether it can be of these pairs.
+bool applies(const Fit& fit, const std::vector<By>& by) {
+  const auto& lens = fit.camera.lens;
+  const bool isPolynomial =
+      !lens || (lens->model() == LensModel::brown && lens->k()[3] == 0 && lens->k()[4] == 0 && lens->k()[5] == 0);
+  if (by[0] >= By::k1 && (fit.camera.isOrthographic || !isPolynomial)) return false;
+  if (by[0] == By::u && (fit.isOnEarth || !(length(fit.camera.eye) > 0))) return false;
+  return 2 * fit.pairs.size() >= by.size() + 1;
 }
 
 Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   const PlainCamera& from = fit.camera;
   const Rows turned = to.axes * transposed(from.axes);
-  const Vec3 way = sum(to.eye, -1, from.eye), skew = skewOf(turned);
+  const Vec3 way = fit.world * sum(to.eye, -1, from.eye);
   double degrees = angleOf(turned) * 180 / std::numbers::pi;
-  if (isBetween(family.by[0], By::h, By::r) && dot(skew, to.axes * axisOf(from, fit.up, family.by[0])) < 0)
+  if (isBetween(family.by[0], By::h, By::r) && dot(skewOf(turned), axisOf(fit, to, family.by[0])) < 0)
     degrees = -degrees;
   const TrialLens lens = to.trial.value_or(TrialLens{});  // no step has made one: its numbers are 0
   const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
@@ -309,16 +296,17 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
                                              {'X', way.x},
                                              {'Y', way.y},
                                              {'Z', way.z},
-                                             {'u', dot(way, fit.up)},
-                                             {'s', dot(to.eye, from.eye) / dot(from.eye, from.eye)},
+                                             {'U', dot(sum(to.eye, -1, from.eye), fit.up)},
+                                             {'u', dot(to.eye, from.eye) / dot(from.eye, from.eye)},
                                              {'k', lens.k[0]},
                                              {'l', lens.k[1]},
                                              {'p', lens.p[0]},
                                              {'q', lens.p[1]}};
   Json value = Json::array();
   for (const char letter : family.value)
-    for (const auto& [name, number] : numbers)
-      if (name == letter) value.push_back(number);
+    value.push_back(std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& each) {
+                      return each.first == letter;
+                    })->second);
   return value.size() == 1 && family.value != "k" ? value[0] : value;
 }
 
@@ -327,53 +315,32 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
 std::size_t countOf(Table table) { return familiesOf(table).size(); }
 
 std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong) {
-  const double size = medianDistance(fit);
+  Numbers distances;
+  for (const Pair& pair : fit.pairs) distances.push_back(length(wayTo(fit.camera, pair.point)));
+  const double size = medianOf(distances);
+  const Vec2 focal = fit.camera.focal;
   std::vector<Hypothesis> all;
   for (const Family& family : familiesOf(table)) {
-    const By first = family.by[0];
-    const std::size_t count = family.by.size();
-    if (2 * fit.pairs.size() < count + 1) continue;
-    const auto& lens = fit.camera.lens;
-    const bool isPolynomial =
-        !lens || (lens->model() == LensModel::brown && lens->k()[3] == 0 && lens->k()[4] == 0 && lens->k()[5] == 0);
-    if (first >= By::k1 && (fit.camera.isOrthographic || !isPolynomial)) continue;
-    const bool isWorldAxis = isBetween(first, By::wx, By::wz) || (count == 1 && isBetween(first, By::X, By::Z));
-    if (fit.isOnEarth && (isWorldAxis || first == By::u)) continue;
-    if (first == By::u && !(length(fit.camera.eye) > 0)) continue;
-    std::vector<PlainCamera> starts{fit.camera};
-    if (!fit.camera.isOrthographic) {
-      if (isBetween(first, By::wx, By::wz)) starts = startsOf(fit, column(fit.camera.axes, offsetOf(first, By::wx)), 2);
-      if (isBetween(first, By::h, By::r))
-        starts = startsOf(fit, fit.camera.axes * axisOf(fit.camera, fit.up, first), 2);
-      if (first == By::rx) starts = startsOf(fit, std::nullopt, count < 6 ? 3 : 6);
-    }
-    const Solver solver(fit, family, size, wrong);
-    Solver::Solution best{fit.camera};
-    for (const PlainCamera& start : starts) {
-      const auto solution = solver.solve(start, count >= 6 ? 40 : wrong > 0 ? 16 : 12);
-      // A mirrored twin costs the same.
-      if (!(solution.camera.focal.x * fit.camera.focal.x > 0 && solution.camera.focal.y * fit.camera.focal.y > 0))
-        continue;
-      if (solution.cost < best.cost) best = solution;
+    const std::vector<By>& by = family.by;
+    if (!applies(fit, by)) continue;
+    const Solver solver(fit, size, by, wrong);
+    Solution best;
+    for (const PlainCamera& start : startsOf(fit, by)) {
+      const Solution one = solver.from(start, by.size() >= 6 ? 40 : wrong > 0 ? 16 : 12);
+      const bool isMirrored = !(one.camera.focal.x * focal.x > 0 && one.camera.focal.y * focal.y > 0);
+      if (!isMirrored && one.cost < best.cost) best = one;  // a mirrored twin costs the same
       if (best.cost < 1e-12 * static_cast<double>(fit.pairs.size())) break;
     }
     if (!std::isfinite(best.cost)) continue;
-    Hypothesis solved{.mistake = family.mistake, .camera = best.camera};
-    solved.value = valueOf(family, fit, best.camera);
-    solved.isSolved = true;
-    solved.parameters = static_cast<int>(count);
-    if (first == By::s || first == By::sx)
-      solved.scale = best.camera.focal.x * best.camera.focal.y / (fit.camera.focal.x * fit.camera.focal.y);
-    const double times = first == By::u ? solved.value.get<double>() : 0;
-    if (first == By::u) solved.value = {"position", times};
-    all.push_back(solved);
-    if (times > 0) {
-      const double factor = 1 / times;
-      Hypothesis points{.mistake = family.mistake, .value = {"points", factor}, .camera = fit.camera};
-      points.points = {Vec3{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
-      points.parameters = 1;
-      all.push_back(std::move(points));
-    }
+    Hypothesis found{.mistake = family.mistake,
+                     .value = valueOf(family, fit, best.camera),
+                     .camera = best.camera,
+                     .parameters = static_cast<int>(by.size())};
+    found.isResized = isBetween(by[0], By::s, By::sy);
+    if (found.isResized || (by.size() > 2 && by.back() == By::cy))
+      found.scale = best.camera.focal.x * best.camera.focal.y / (focal.x * focal.y);
+    if (by[0] == By::u) found.value = {"position", found.value};
+    all.push_back(std::move(found));
   }
   return all;
 }

@@ -1,10 +1,7 @@
 #include "commands/check/hypothesis.hpp"
 
 #include <algorithm>
-#include <numeric>
 
-#include "camera/plain_camera.hpp"
-#include "camera/read_pose.hpp"
 #include "camera/values.hpp"
 #include "text/error.hpp"
 #include "viewproj/geodesy.hpp"
@@ -25,30 +22,10 @@ void spreadVectors(Json& value) {
     for (Json& part : value) spreadVectors(part);
 }
 
-CameraFile readSpread(const Document& document, const ReadOptions& reading) {
-  const Document arrays = copied(document);
+CameraFile withArrays(const CameraFile& file) {
+  const Document arrays = copied(file.document);
   spreadVectors(*arrays.root);
-  return readCamera(arrays, reading);
-}
-
-/// Right, down and forward of a camera in the axes of its rotation.
-Rows ownAxesOf(const CameraFile& file) {
-  const std::string_view letters = nameOf(kCameraAxesNames, cameraAxesOf(readValues(file.document), *file.preset));
-  Rows axes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t side = std::string_view("RLDUFB").find(letters[i]);
-    axes[side / 2][i] = side % 2 == 0 ? 1 : -1;
-  }
-  return axes;
-}
-
-Vec3 upOf(const CameraFile& file) {
-  Vec3 up = readConvention(file.document).preset->up;
-  if (file.worldIsEnu) up = {0, 0, 1};
-  if (file.worldIsEcef) up = ellipsoidNormal(ecefToGeodetic(file.pose->eye()));
-  if (const Json* const own = valueAt(*file.document.root, "up"))
-    up = {(*own)[0].get<double>(), (*own)[1].get<double>(), (*own)[2].get<double>()};
-  return scaled(up, 1 / length(up));
+  return readCamera(arrays, file.reading);
 }
 
 }  // namespace
@@ -67,6 +44,19 @@ Vec4 Hypothesis::point(const Vec4& p) const {
                                     : places == PlaceMap::negateLon ? Geodetic{g.lat, -g.lon, g.height}
                                                                     : Geodetic{-g.lat, g.lon, g.height});
   return {moved.x, moved.y, moved.z, p.w};
+}
+
+Vec2 Hypothesis::pixel(const Vec2& given) const {
+  Vec2 at = pixels(given);
+  for (int i = 0; i > lensPasses; --i) at = withoutLens(camera, at);
+  for (int i = 0; i < lensPasses; ++i) at = bentAgain(camera, at);
+  return at;
+}
+
+std::vector<Vec2> missesOf(const Hypothesis& h, std::span<const Pair> pairs) {
+  std::vector<Vec2> misses;
+  for (const Pair& pair : pairs) misses.push_back(pixelOf(h.camera, h.point(pair.point)) - h.pixel(pair.pixel));
+  return misses;
 }
 
 std::vector<Patch> patchesOf(const std::vector<Set>& sets) {
@@ -94,18 +84,26 @@ std::optional<PlainCamera> plainWith(const CameraFile& file, const std::vector<P
   return std::nullopt;
 }
 
-Trials::Trials(const Document& document, const ReadOptions& reading)
-    : file_(readSpread(document, reading)),
-      reading_(reading),
-      camera_(makeCamera(file_)),
-      plain_(plainOf(camera_)),
-      up_(upOf(file_)),
-      ownAxes_(ownAxesOf(file_)) {}
+Rows worldAt(const CameraFile& file, const Vec3& point) {
+  if (!file.worldIsEcef) return kUnit;
+  const auto [east, north, up] = localAxes(ecefToGeodetic(point));
+  return {east, north, up};
+}
 
-Vec2 Trials::first() const { return pictureCorners(camera_.viewport()).first; }
-Vec2 Trials::last() const { return pictureCorners(camera_.viewport()).last; }
+// ---- Trials
 
-const Json* Trials::find(std::string_view path) const { return valueAt(*file_.document.root, path); }
+Trials::Trials(const CameraFile& file)
+    : file_(withArrays(file)), camera_(makeCamera(file_)), plain_(plainOf(camera_)) {}
+
+Vec3 Trials::up() const {
+  if (const Json* const own = find("up")) return unit({(*own)[0], (*own)[1], (*own)[2]});
+  return knowsUp(file_) ? worldAt(file_, plain_.eye)[2] : file_.preset->up;
+}
+
+std::pair<Vec2, Vec2> Trials::corners() const {
+  const auto corners = pictureCorners(camera_.viewport());
+  return {corners.first, corners.last};
+}
 
 double Trials::numberOr(std::string_view path, double fallback) const {
   const Json* const value = find(path);
@@ -117,38 +115,36 @@ double Trials::degreesOr(std::string_view path, double fallback) const {
   return value ? degreesOf(readAngle({file_.document, *value, std::string(path)})) : fallback;
 }
 
-Hypothesis Trials::next(const std::string& mistake, Json value) const {
-  return {.mistake = mistake, .value = std::move(value), .camera = plain_};
-}
-
 void Trials::change(const std::string& mistake, std::vector<Set> sets, Json value, bool stretch) {
-  const auto camera = plainWith(file_, patchesOf(sets), stretch);
-  if (!camera) return;
-  Hypothesis hypothesis = next(mistake, std::move(value));
-  hypothesis.camera = *camera;
-  hypothesis.sets = std::move(sets);
-  hypothesis.stretch = stretch;
-  add(std::move(hypothesis));
+  if (const auto camera = plainWith(file_, patchesOf(sets), stretch))
+    add({.mistake = mistake,
+         .value = std::move(value),
+         .camera = *camera,
+         .sets = std::move(sets),
+         .stretch = stretch});
 }
 
 void Trials::pixels(const std::string& mistake, const PixelMap& map, Json value) {
-  Hypothesis hypothesis = next(mistake, std::move(value));
-  hypothesis.pixels = map;
-  add(std::move(hypothesis));
+  add({.mistake = mistake, .value = std::move(value), .camera = plain_, .pixels = map});
 }
 
 void Trials::points(const std::string& mistake, const Rows& rows, Json value) {
-  Hypothesis hypothesis = next(mistake, std::move(value));
-  hypothesis.points = rows;
-  add(std::move(hypothesis));
+  add({.mistake = mistake, .value = std::move(value), .camera = plain_, .points = rows});
 }
 
 void Trials::pose(const std::string& mistake, const Rows& axes, const Vec3& eye, Json value) {
-  Hypothesis hypothesis = next(mistake, std::move(value));
-  hypothesis.camera.axes = axes;
-  hypothesis.camera.eye = eye;
-  hypothesis.isSolved = true;
-  add(std::move(hypothesis));
+  PlainCamera camera = plain_;
+  camera.axes = axes;
+  camera.eye = eye;
+  add({.mistake = mistake, .value = std::move(value), .camera = std::move(camera)});
+}
+
+std::vector<Hypothesis> rowsOf(const CameraFile& file) {
+  Trials t(file);
+  addWindowRows(t);
+  addPoseRows(t);
+  addPixelRows(t);
+  return t.take();
 }
 
 std::vector<std::pair<std::string, Rows>> signedAxes() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,13 @@
 #include "commands/check/plain_camera.hpp"
 
 namespace viewproj::cmd::mistakes {
+
+struct Pair {
+  Vec4 point;
+  Vec2 pixel;
+  std::size_t line = 0;
+  Vec2 miss = {};  ///< by which the camera's pixel is off, as it is given; NaN without one
+};
 
 /// The mended pixel of a given one: xx x + xy y + x0, yx x + yy y + y0.
 struct PixelMap {
@@ -29,11 +37,6 @@ PixelMap operator*(const PixelMap& second, const PixelMap& first);
 /// What is done to points that are places on the Earth.
 enum class PlaceMap : std::uint8_t { none, exchange, negateLon, negateLat };
 
-struct Pair {
-  Vec4 point;
-  Vec2 pixel;
-};
-
 /// A field of the document and its value; null removes it.
 using Set = std::pair<std::string, Json>;
 
@@ -41,37 +44,50 @@ struct Hypothesis {
   std::string mistake;  ///< "y-flipped", "y-flipped + pixel-centre"
   Json value = nullptr;
   PlainCamera camera;          ///< the mended one
-  std::vector<Set> sets = {};  ///< laid over the document
+  std::vector<Set> sets = {};  ///< laid over the document; what else camera differs in was solved
   bool stretch = false;        ///< they need --allow-stretch
-  bool isSolved = false;       ///< camera is changed by numbers: the document that has them is its mend
   Rows points = kUnit;         ///< of the mended points
   PlaceMap places = PlaceMap::none;
-  PixelMap pixels = {};  ///< of the mended pixels
-  int lensPasses = 0;    ///< how often the lens then bends them; negative: unbends them
-  double scale = 1;      ///< of the area of the picture, where camera is of a resized one
+  PixelMap pixels = {};    ///< of the mended pixels
+  int lensPasses = 0;      ///< how often the lens then bends them; negative: unbends them
+  double scale = 1;        ///< of the area of the picture, where camera is of a smaller or larger one
+  bool isResized = false;  ///< about its corner
   int parameters = 0;
+  std::string words = "";  ///< what else is done to the pairs
 
-  bool movesPixels() const { return pixels != PixelMap{} || lensPasses != 0; }
-  bool movesPoints() const { return points != kUnit || places != PlaceMap::none; }
+  /// The mended point and pixel of given ones.
   Vec4 point(const Vec4& given) const;
+  Vec2 pixel(const Vec2& given) const;
+  bool movesPixels() const { return pixels != PixelMap{} || lensPasses != 0; }
 };
+
+/// What it leaves of each pair; NaN where the point has no pixel.
+std::vector<Vec2> missesOf(const Hypothesis& hypothesis, std::span<const Pair> pairs);
+
+/// As --set has them.
+std::vector<Patch> patchesOf(const std::vector<Set>& sets);
+/// The document with patches laid over it. Throws as readCamera does.
+CameraFile changed(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
+/// Its camera; nothing where it makes none.
+std::optional<PlainCamera> plainWith(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
+
+/// Of the world at a point: x, y, z; or east, north, up on the Earth.
+Rows worldAt(const CameraFile& file, const Vec3& point);
 
 /// A camera document with its camera, and hypotheses about it as they are found.
 class Trials {
  public:
   /// Throws as readCamera and makeCamera do.
-  Trials(const Document& document, const ReadOptions& reading);
+  explicit Trials(const CameraFile& file);
 
   const CameraFile& file() const { return file_; }
-  const Camera& camera() const { return camera_; }
+  Viewport viewport() const { return camera_.viewport(); }
+  Projection projection() const { return camera_.projection(); }
   const PlainCamera& plain() const { return plain_; }
-  Vec3 up() const { return up_; }                   ///< of the world at the eye
-  const Rows& ownAxes() const { return ownAxes_; }  ///< right, down and forward in the axes of the document's rotations
-  Vec2 first() const;                               ///< the picture's corners in pixels
-  Vec2 last() const;
-  double pixelCenter() const { return camera_.viewport().pixelCenter; }
+  Vec3 up() const;                        ///< of the world at the eye
+  std::pair<Vec2, Vec2> corners() const;  ///< of the picture in pixels: the first and the last
 
-  const Json* find(std::string_view path) const;
+  const Json* find(std::string_view path) const { return valueAt(*file_.document.root, path); }
   bool has(std::string_view path) const { return find(path) != nullptr; }
   double numberOr(std::string_view path, double fallback) const;
   double degreesOr(std::string_view path, double fallback) const;
@@ -82,30 +98,20 @@ class Trials {
   void points(const std::string& mistake, const Rows& rows, Json value = nullptr);
   void pose(const std::string& mistake, const Rows& axes, const Vec3& eye, Json value = nullptr);
   void add(Hypothesis hypothesis) { found_.push_back(std::move(hypothesis)); }
-  Hypothesis next(const std::string& mistake, Json value = nullptr) const;
-
-  std::vector<Hypothesis> take() { return std::move(found_); }
+  std::vector<Hypothesis> take() { return std::exchange(found_, {}); }
 
  private:
   CameraFile file_;
-  ReadOptions reading_;
   Camera camera_;
   PlainCamera plain_;
-  Vec3 up_;
-  Rows ownAxes_;
   std::vector<Hypothesis> found_;
 };
 
-/// As --set has them.
-std::vector<Patch> patchesOf(const std::vector<Set>& sets);
-/// The document with patches laid over it. Throws as readCamera does.
-CameraFile changed(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
-/// Its camera; nothing where it makes none.
-std::optional<PlainCamera> plainWith(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
-
-void addDocumentRows(Trials& trials);
-void addPixelRows(Trials& trials);
+void addWindowRows(Trials& trials);
 void addPoseRows(Trials& trials);
+void addPixelRows(Trials& trials);
+/// All of them.
+std::vector<Hypothesis> rowsOf(const CameraFile& file);
 /// Signed permutations of three axes, each with its name, as in "-y,-z,x".
 std::vector<std::pair<std::string, Rows>> signedAxes();
 

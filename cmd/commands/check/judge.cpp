@@ -7,8 +7,6 @@
 
 #include "commands/check/families.hpp"
 #include "commands/check/words.hpp"
-#include "text/error.hpp"
-#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd::mistakes {
 namespace {
@@ -17,140 +15,7 @@ constexpr double kFloor = 1e-3;   // pixels: what is left is never told apart be
 constexpr double kThreshold = 7;  // of evidence that is told
 const double kAsGood = std::log(100);
 
-constexpr std::ptrdiff_t kPlain = 19;  // told as well where they bring all within the tolerance
-
-std::ptrdiff_t placeOf(std::string_view mistake) {
-  if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
-    return placeOf(mistake.substr(0, plus)) + placeOf(mistake.substr(plus + 3));
-  const auto all = allMistakes();
-  return std::find_if(all.begin(), all.end(), [&](const Mistake& each) { return each.name == mistake; }) - all.begin();
-}
-bool isPlain(std::string_view mistake) { return mistake.find(" + ") == mistake.npos && placeOf(mistake) < kPlain; }
-
-template <class Each>
-bool isIn(std::string_view mistake, const Each& names) {
-  return std::find(std::begin(names), std::end(names), mistake) != std::end(names);
-}
-
-class Judge {
- public:
-  Judge(const Trials& document, std::span<const Pair> pairs, double within)
-      : document_(document), pairs_(pairs), within_(within) {
-    for (const Pair& pair : pairs_) {
-      const Vec2 at = pixelOf(document_.plain(), pair.point);
-      before_.push_back({at.x - pair.pixel.x, at.y - pair.pixel.y});
-    }
-  }
-
-  /// NaN where a point has no pixel.
-  std::vector<Vec2> missesOf(const Hypothesis& h, std::vector<Vec2> mended) const;
-  std::vector<Vec2> mendedPixels(const Hypothesis& h) const;
-  /// Adds those of the hypotheses that explain something.
-  void judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries, std::vector<Explanation>& found) const;
-  /// chosen: the pairs that count.
-  double evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, const std::vector<Vec2>& mended,
-                    const std::vector<std::size_t>& chosen, double tries, double& rms) const;
-
- private:
-  const Trials& document_;
-  std::span<const Pair> pairs_;
-  double within_;
-  std::vector<Vec2> before_;
-};
-
-std::vector<Vec2> Judge::mendedPixels(const Hypothesis& h) const {
-  std::vector<Vec2> all;
-  for (const Pair& pair : pairs_) {
-    Vec2 at = h.pixels(pair.pixel);
-    const auto seenBy = [&](const Camera& from, const Camera& to) {
-      const Vec3 d = screenToRay(from, at).direction;
-      const ScreenPoint p = worldToScreen(to, Vec4{d.x, d.y, d.z, 0});
-      at = {p.x, p.y};
-    };
-    const Camera& own = document_.camera();
-    for (int i = 0; i > h.lensPasses; --i) seenBy(own, withoutLens(own));
-    for (int i = 0; i < h.lensPasses; ++i) seenBy(withoutLens(own), own);
-    all.push_back(at);
-  }
-  return all;
-}
-
-std::vector<Vec2> Judge::missesOf(const Hypothesis& h, std::vector<Vec2> mended) const {
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Vec2 at = pixelOf(h.camera, h.point(pairs_[i].point));
-    mended[i] = {at.x - mended[i].x, at.y - mended[i].y};
-  }
-  return mended;
-}
-
-double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, const std::vector<Vec2>& mended,
-                         const std::vector<std::size_t>& chosen, double tries, double& rms) const {
-  const double n = static_cast<double>(chosen.size());
-  double squares = 0;
-  Vec2 mean, spread;
-  for (const std::size_t i : chosen) {
-    squares += misses[i].x * misses[i].x + misses[i].y * misses[i].y;
-    mean = {mean.x + mended[i].x / n, mean.y + mended[i].y / n};
-  }
-  for (const std::size_t i : chosen)
-    spread = {spread.x + (mended[i].x - mean.x) * (mended[i].x - mean.x),
-              spread.y + (mended[i].y - mean.y) * (mended[i].y - mean.y)};
-  rms = std::sqrt(squares / (2 * n));
-  const double size = h.pixels.size() * h.scale, grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
-  const double left = std::max(rms * grow, kFloor);
-  const auto limit = [&](double sum) { return chosen.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
-  const Vec2 most{limit(spread.x), limit(spread.y)};
-  if (2 * left >= std::max(most.x, most.y)) return -std::log(std::max(tries, 1.0));
-  std::vector<double> gains;
-  const auto add = [&](double before, double limited) {
-    const double miss = std::isfinite(before) ? std::min(std::fabs(before), limited) : limited;
-    gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
-  };
-  for (const std::size_t i : chosen) {
-    add(before_[i].x, most.x);
-    add(before_[i].y, most.y);
-  }
-  const std::size_t kept = gains.size() - std::min(gains.size(), static_cast<std::size_t>(h.parameters));
-  if (kept < gains.size())
-    std::nth_element(gains.begin(), gains.begin() + static_cast<std::ptrdiff_t>(kept), gains.end());
-  gains.resize(kept);
-  return std::accumulate(gains.begin(), gains.end(), 0.0) - std::log(std::max(tries, 1.0));
-}
-
-void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
-                  std::vector<Explanation>& found) const {
-  if (tries == 0) tries = static_cast<double>(hypotheses.size());
-  std::vector<std::size_t> all(pairs_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  for (Hypothesis& h : hypotheses) {
-    const std::vector<Vec2> mended = mendedPixels(h);
-    std::vector<Vec2> misses = missesOf(h, mended);
-    double largest = 0;
-    for (const Vec2& miss : misses) {
-      const double distance = length(miss);
-      largest = std::isnan(distance) ? HUGE_VAL : std::max(largest, distance);
-    }
-    if (!std::isfinite(largest)) continue;
-    Explanation e{.hypothesis = std::move(h), .stage = stage, .largest = largest};
-    e.evidence = evidenceOf(e.hypothesis, misses, mended, all, tries, e.rms);
-    const bool isOld = stage == Stage::rows && largest <= within_ && isPlain(e.hypothesis.mistake);
-    if (!(e.evidence > kThreshold) && !isOld) continue;
-    e.misses = std::move(misses);
-    found.push_back(std::move(e));
-  }
-}
-
-/// The camera, the points and the pixels as a hypothesis leaves them; not all of many pairs.
-Fit fitOf(const Trials& t, const Hypothesis& h, std::span<const Pair> pairs) {
-  constexpr std::size_t kMost = 500;
-  Fit fit{h.camera, t.up(), h.pixels(t.first()), t.file().worldIsEcef, {}};
-  const std::size_t count = std::min(kMost, pairs.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pair& pair = pairs[i * pairs.size() / count];
-    fit.pairs.push_back({h.point(pair.point), h.pixels(pair.pixel)});
-  }
-  return fit;
-}
+// ---- Two mistakes at once
 
 /// first, and then second: of the points, the camera and the pixels as first leaves them.
 Hypothesis both(const Hypothesis& first, Hypothesis second) {
@@ -160,25 +25,60 @@ Hypothesis both(const Hypothesis& first, Hypothesis second) {
   second.points = second.points * first.points;
   second.sets.insert(second.sets.begin(), first.sets.begin(), first.sets.end());
   second.stretch |= first.stretch;
-  second.isSolved |= first.isSolved;
   second.parameters += first.parameters;
   return second;
 }
 
-bool isDocuments(const Hypothesis& h) { return h.pixels == PixelMap{} && h.lensPasses == 0; }
+/// Each with the others that may follow it.
+template <class Seconds>
+std::vector<Hypothesis> inTwos(const std::vector<Hypothesis>& firsts, const Seconds& secondsOf) {
+  std::vector<Hypothesis> all;
+  for (const Hypothesis& first : firsts)
+    for (Hypothesis& second : secondsOf(first))
+      if (second.mistake != first.mistake) all.push_back(both(first, std::move(second)));
+  return all;
+}
+
+template <class May>
+std::vector<Hypothesis> someOf(const std::vector<Hypothesis>& all, const May& may) {
+  std::vector<Hypothesis> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some), may);
+  return some;
+}
+
+bool isIn(const Hypothesis& h, std::initializer_list<std::string_view> mistakes) {
+  return std::find(mistakes.begin(), mistakes.end(), h.mistake) != mistakes.end();
+}
+
+/// Whether it is a --set by itself that turns or moves the camera.
+bool setsPose(const Hypothesis& h) {
+  return !h.sets.empty() && std::none_of(h.sets.begin(), h.sets.end(), [](const Set& set) {
+    return set.first.starts_with("viewport") || set.first.starts_with("projection") || set.first == "distortion";
+  });
+}
 
 /// Flips, mirrors, turns and exchanges of the pixels, one of each.
 std::vector<Hypothesis> turnedPixels(const std::vector<Hypothesis>& pixels) {
   std::vector<Hypothesis> some;
-  for (const Hypothesis& h : pixels)
-    if (isIn(h.mistake, std::array{"y-flipped", "x-mirrored", "picture-turned", "row-column"}) &&
-        std::none_of(some.begin(), some.end(), [&](const Hypothesis& other) {
-          return other.pixels.xx == h.pixels.xx && other.pixels.xy == h.pixels.xy && other.pixels.yx == h.pixels.yx &&
-                 other.pixels.yy == h.pixels.yy;
-        }))
+  for (const Hypothesis& h : pixels) {
+    const auto isLike = [&](const Hypothesis& other) {
+      return PixelMap{h.pixels.xx, h.pixels.xy, other.pixels.x0, h.pixels.yx, h.pixels.yy, other.pixels.y0} ==
+             other.pixels;
+    };
+    if (h.movesPixels() && isIn(h, {"y-flipped", "x-mirrored", "picture-turned", "row-column"}) &&
+        std::none_of(some.begin(), some.end(), isLike))
       some.push_back(h);
+  }
   return some;
 }
+
+/// So many times what a pixel counts that it leaves, where it makes the picture smaller.
+double growthOf(const Hypothesis& h) {
+  const double size = h.pixels.size() * h.scale;
+  return size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
+}
+
+// ---- Order
 
 /// Rounded, so that of two forms of a mistake the first one counts.
 double weighted(const Explanation& e) {
@@ -186,291 +86,348 @@ double weighted(const Explanation& e) {
   return std::round(1e6 * e.evidence * share) / 1e6;
 }
 
-/// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
-bool isSame(const Explanation& a, const Explanation& b, bool anySign) {
-  const auto of = [&](double miss) { return anySign ? std::fabs(miss) : miss; };
-  for (std::size_t i = 0; i < a.misses.size(); ++i)
-    if (!(std::fabs(of(a.misses[i].x) - of(b.misses[i].x)) < 1e-6 &&
-          std::fabs(of(a.misses[i].y) - of(b.misses[i].y)) < 1e-6))
-      return false;
-  return true;
+/// Two at once count as one more.
+int parametersOf(const Explanation& e) {
+  return e.hypothesis.parameters + (e.hypothesis.mistake.find(" + ") != std::string::npos ? 1 : 0);
 }
 
-void moveToFront(std::vector<Explanation>& all, std::size_t which) {
-  std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(which),
-              all.begin() + static_cast<std::ptrdiff_t>(which) + 1);
+/// By how much less evidence it may stand in place of the best: if it is simpler.
+double allowanceOf(const Explanation& e, const Explanation& best) {
+  const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
+  const int more = parametersOf(e) - parametersOf(best);
+  if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
+  if ((more < 0 || isOneOfTwo) && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
-/// Of those that may stand first, the one with the fewest parameters, of the earliest stage, first in the order.
-template <class May>
-void promote(std::vector<Explanation>& all, const May& may) {
-  std::optional<std::size_t> best;
-  const auto rank = [&](std::size_t i) {
-    const Explanation& e = all[i];
-    return std::tuple(e.hypothesis.parameters, e.stage, placeOf(e.hypothesis.mistake));
-  };
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (may(all[i]) && (!best || rank(i) < rank(*best))) best = i;
-  if (best) moveToFront(all, *best);
-}
-
-/// The best first; then at most five that are as good with no more parameters, one of each mistake.
-std::vector<Explanation> listed(std::vector<Explanation> found, double within) {
+/// The best first; then at most five that are as good with no more parameters, one of each mistake. keepsSame: also
+/// those that leave the same.
+std::vector<Explanation> listed(std::vector<Explanation> found, double within, bool keepsSame = false) {
   if (found.empty()) return found;
   std::stable_sort(found.begin(), found.end(),
                    [](const Explanation& a, const Explanation& b) { return weighted(a) > weighted(b); });
-  {
-    const Explanation top = found[0];
-    promote(found, [&](const Explanation& e) {
-      const bool isFewer = e.hypothesis.parameters < top.hypothesis.parameters;
-      return weighted(e) > weighted(top) - (isFewer ? kAsGood : 1) &&
-             e.hypothesis.parameters <= top.hypothesis.parameters && e.stage <= top.stage;
-    });
-  }
-  if (found[0].rms <= kFloor) {
-    const Explanation top = found[0];
-    promote(found, [&](const Explanation& e) {
-      return e.rms <= kFloor && e.stage <= top.stage && e.hypothesis.parameters < top.hypothesis.parameters &&
-             e.evidence > kThreshold;
-    });
-  }
-  if (found[0].stage >= Stage::rest)  // two mistakes only where one of as few parameters leaves half as much again
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const Explanation& e = found[i];
-      if (e.stage > Stage::families || e.hypothesis.parameters > found[0].hypothesis.parameters) continue;
-      if (!(e.evidence > kThreshold && (e.rms <= kFloor || weighted(e) > weighted(found[0]) - 7))) continue;
-      moveToFront(found, i);
-      break;
-    }
+  const auto rank = [](const Explanation& e) {
+    return std::tuple(parametersOf(e), e.stage, placeOf(e.hypothesis.mistake));
+  };
+  auto best = found.begin();
+  for (auto e = found.begin(); e != found.end(); ++e)
+    if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0]) && rank(*e) < rank(*best)) best = e;
+  std::rotate(found.begin(), best, best + 1);
   std::vector<Explanation> out;
+  int fewest = parametersOf(found[0]);
   for (Explanation& e : found) {
-    const Hypothesis& h = e.hypothesis;
-    const bool isOld = e.stage == Stage::rows && e.largest <= within && isPlain(h.mistake);
-    if (std::any_of(out.begin(), out.end(), [&](const Explanation& o) {
-          return (o.hypothesis.mistake == h.mistake && h.parameters >= o.hypothesis.parameters) ||
-                 (!isPlain(h.mistake) && h.parameters >= o.hypothesis.parameters && isSame(e, o, true));
-        }))
-      continue;
-    if (out.empty() ? e.evidence < kThreshold && !isOld : false) continue;
-    if (!out.empty() && !isOld) {
-      int fewest = out[0].hypothesis.parameters;
-      for (const Explanation& o : out) fewest = std::min(fewest, o.hypothesis.parameters);
-      if (weighted(e) < weighted(out[0]) - kAsGood || h.parameters > fewest ||
-          (e.stage > Stage::families && out[0].stage <= Stage::families && weighted(e) < weighted(out[0]) + 3))
-        continue;
-    }
+    const int parameters = parametersOf(e);
+    const bool isOld = isLongKnown(e.hypothesis.mistake),
+               isRow = isOld && e.stage == Stage::rows && e.largest <= within;
+    const bool isToldAlready = std::any_of(out.begin(), out.end(), [&](const Explanation& o) {
+      return parameters >= parametersOf(o) &&
+             (o.hypothesis.mistake == e.hypothesis.mistake || (!isOld && !keepsSame && isSame(e, o, true)));
+    });
+    const auto isAsGood = [&] {
+      const bool isOfTwo = e.stage > Stage::families && out[0].stage <= Stage::families;
+      return parameters <= fewest && weighted(e) >= weighted(out[0]) + (isOfTwo ? 3 : -kAsGood);
+    };
+    if (isToldAlready || !(out.empty() || isRow || isAsGood())) continue;
+    fewest = std::min(fewest, parameters);
     out.push_back(std::move(e));
-    if (out.size() == 6) break;
+    if (out.size() == (keepsSame ? 12 : 6)) break;
   }
   return out;
 }
 
-std::vector<Hypothesis> documentsOf(Trials& t) {
-  addDocumentRows(t);
-  addPoseRows(t);
-  return t.take();
+// ---- The search
+
+class Search {
+ public:
+  Search(const CameraFile& file, std::span<const Pair> pairs, double within);
+
+  std::vector<Explanation> explanations(bool keepsSame);
+
+ private:
+  /// Those of the hypotheses that explain something. wrong: how many pairs they may, and must, leave out.
+  std::vector<Explanation> judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
+                                  std::size_t wrong = 0) const;
+  double evidenceOf(const Explanation& e, const std::vector<std::size_t>& right) const;
+  void seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries);
+  void seek(const std::vector<Hypothesis>& hypotheses, Stage stage) {
+    seek(hypotheses, stage, static_cast<double>(hypotheses.size()));
+  }
+  bool isExplained() const;
+  /// The camera, the points and the pixels as a hypothesis leaves them; not all of many pairs.
+  Fit fitOf(const Hypothesis& h) const;
+  /// Mistakes that leave something, which a second one may explain.
+  std::vector<Hypothesis> bestRows() const;
+  std::vector<Hypothesis> twoRows() const;
+  std::vector<Explanation> besideWrongPairs() const;
+  std::vector<Explanation> pixelOrder() const;
+
+  Trials trials_;
+  std::span<const Pair> pairs_;
+  double within_;
+  Hypothesis nothing_;  ///< is wrong
+  std::vector<Hypothesis> rows_;
+  std::vector<Vec2> before_;  ///< the misses without an explanation
+  std::vector<Explanation> found_;
+};
+
+Search::Search(const CameraFile& file, std::span<const Pair> pairs, double within)
+    : trials_(file),
+      pairs_(pairs),
+      within_(within),
+      nothing_{.mistake = "", .camera = trials_.plain()},
+      rows_(rowsOf(file)),
+      before_(missesOf(nothing_, pairs)) {}
+
+double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& right) const {
+  const Hypothesis& h = e.hypothesis;
+  const auto n = static_cast<double>(right.size());
+  std::vector<Vec2> mended;
+  Vec2 mean, squares;
+  for (const std::size_t i : right) {
+    mended.push_back(h.pixel(pairs_[i].pixel));
+    mean = {mean.x + mended.back().x / n, mean.y + mended.back().y / n};
+  }
+  for (const Vec2& at : mended)
+    squares = {squares.x + (at.x - mean.x) * (at.x - mean.x), squares.y + (at.y - mean.y) * (at.y - mean.y)};
+  const double grow = growthOf(h);
+  const double left = std::max(e.rms * grow, kFloor);
+  const auto deviation = [&](double sum) { return right.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
+  const Vec2 most{deviation(squares.x), deviation(squares.y)};
+  if (2 * left >= std::max(most.x, most.y)) return 0;
+  std::vector<double> gains;
+  const auto add = [&](double before, double limit) {
+    const double miss = std::isfinite(before) ? std::min(std::fabs(before), limit) : limit;
+    gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
+  };
+  for (const std::size_t i : right) {
+    add(before_[i].x, most.x);
+    add(before_[i].y, most.y);
+  }
+  const auto kept = gains.end() - std::min(std::ssize(gains), std::ptrdiff_t{h.parameters});
+  std::nth_element(gains.begin(), kept, gains.end());
+  return std::accumulate(gains.begin(), kept, 0.0);
 }
 
-/// A mistake beside wrong pairs: each hypothesis, with the pairs left out that it does not explain.
-std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, std::vector<Hypothesis> hypotheses,
-                                          std::span<const Pair> pairs, double within) {
-  const std::size_t n = pairs.size(), most = std::max<std::size_t>(1, n / 4);
+std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
+                                        std::size_t wrong) const {
+  const std::size_t n = pairs_.size();
   std::vector<Explanation> found;
-  if (n < 4) return found;
-  const Fit fit = fitOf(t, t.next(""), pairs);
-  if (n <= 500) {
-    for (Hypothesis& h : families(fit, Table::simple, most)) hypotheses.push_back(std::move(h));
-    if (n >= 8)
-      for (Hypothesis& h : families(fit, Table::poses, most))
-        if (h.parameters <= 6) hypotheses.push_back(std::move(h));
-  }
-  const double tries = static_cast<double>(hypotheses.size());
   for (Hypothesis& h : hypotheses) {
-    const std::vector<Vec2> mended = judge.mendedPixels(h);
-    std::vector<Vec2> misses = judge.missesOf(h, mended);
-    std::vector<double> sorted, distances;
-    for (const Vec2& miss : misses) {
+    Explanation e{.hypothesis = std::move(h), .stage = stage};
+    e.misses = missesOf(e.hypothesis, pairs_);
+    std::vector<double> distances;
+    for (const Vec2& miss : e.misses) {
       const double distance = length(miss);
-      distances.push_back(std::isfinite(distance) ? distance : HUGE_VAL);
+      distances.push_back(std::isnan(distance) ? HUGE_VAL : distance);
     }
-    sorted = distances;
-    std::sort(sorted.begin(), sorted.end());
-    sorted.resize(n - most);
-    if (!std::isfinite(sorted.back())) continue;
-    double squares = 0;
-    for (const double distance : sorted) squares += distance * distance;
-    const double limit =
-        std::max(within, 4 * std::max(std::sqrt(squares / static_cast<double>(sorted.size())), kFloor));
-    Explanation e{.hypothesis = std::move(h), .stage = Stage::wrongPairs};
+    const auto rmsOf = [](double squares, std::size_t count) {
+      return std::sqrt(squares / static_cast<double>(count));
+    };
+    double limit = HUGE_VAL, squares = 0;
+    if (wrong > 0) {
+      std::vector<double> sorted = distances;
+      std::sort(sorted.begin(), sorted.end());
+      const double best =
+          std::inner_product(sorted.begin(), sorted.end() - static_cast<std::ptrdiff_t>(wrong), sorted.begin(), 0.0);
+      limit = std::max(within_, 4 * std::max(rmsOf(best, n - wrong), kFloor));
+    }
     std::vector<std::size_t> right;
     for (std::size_t i = 0; i < n; ++i) {
-      (distances[i] <= limit ? right : e.wrong).push_back(i);
-      if (distances[i] <= limit) e.largest = std::max(e.largest, distances[i]);
+      if (!(distances[i] <= limit)) {
+        e.wrong.push_back(pairs_[i].line);
+        continue;
+      }
+      right.push_back(i);
+      squares += distances[i] * distances[i];
+      e.largest = std::max(e.largest, distances[i]);
     }
-    if (e.wrong.empty() || e.wrong.size() > most) continue;
-    const auto choices = [](std::size_t of, std::size_t some) {
-      const auto gamma = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
-      return gamma(of) - gamma(some) - gamma(of - some);
-    };
-    e.evidence = judge.evidenceOf(e.hypothesis, misses, mended, right, tries, e.rms) - choices(n, e.wrong.size());
-    e.misses = std::move(misses);
-    if (e.evidence > kThreshold) found.push_back(std::move(e));
+    if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
+    e.rms = rmsOf(squares, 2 * right.size());
+    const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
+    const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
+    e.evidence = evidenceOf(e, right) - std::log(std::max(tries, 1.0)) - choices;
+    const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
+    if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
   }
-  std::stable_sort(found.begin(), found.end(), [](const Explanation& a, const Explanation& b) {
-    return std::tuple(-weighted(a), a.hypothesis.parameters) < std::tuple(-weighted(b), b.hypothesis.parameters);
-  });
   return found;
+}
+
+void Search::seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries) {
+  for (Explanation& e : judged(hypotheses, stage, tries)) found_.push_back(std::move(e));
+}
+
+bool Search::isExplained() const {
+  return std::any_of(found_.begin(), found_.end(), [&](const Explanation& e) {
+    const double grow = growthOf(e.hypothesis);
+    return e.evidence > kThreshold && (grow * e.largest <= within_ || grow * e.rms <= 1);
+  });
+}
+
+Fit Search::fitOf(const Hypothesis& h) const {
+  const CameraFile& file = trials_.file();
+  Fit fit{h.camera,         worldAt(file, trials_.plain().eye),
+          trials_.up(),     h.pixels(trials_.corners().first),
+          file.worldIsEcef, {}};
+  const std::size_t count = std::min<std::size_t>(500, pairs_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair& pair = pairs_[i * pairs_.size() / count];
+    fit.pairs.push_back({h.point(pair.point), h.pixel(pair.pixel)});
+  }
+  return fit;
+}
+
+std::vector<Hypothesis> Search::bestRows() const {
+  std::vector<Explanation> best = found_, apart;
+  std::erase_if(best, [](const Explanation& e) {
+    const Hypothesis& h = e.hypothesis;
+    return h.parameters > 0 || !(e.rms > 1e-2) || !(e.evidence > 0) || h.lensPasses != 0 || h.places != PlaceMap::none;
+  });
+  std::stable_sort(best.begin(), best.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.evidence > b.evidence; });
+  std::vector<Hypothesis> rows;
+  for (const Explanation& e : best) {
+    if (std::any_of(apart.begin(), apart.end(), [&](const Explanation& other) { return isSame(e, other, false); }))
+      continue;
+    apart.push_back(e);
+    rows.push_back(e.hypothesis);
+    if (rows.size() == 6) break;
+  }
+  return rows;
+}
+
+std::vector<Hypothesis> Search::twoRows() const {
+  const auto isOfPixels = [](const Hypothesis& h) {
+    return h.movesPixels() && isIn(h, {"y-flipped", "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio",
+                                       "picture-turned", "row-column", "normalized", "ndc"});
+  };
+  const std::vector<Hypothesis> others =
+      someOf(rows_, [](const Hypothesis& h) { return !h.movesPixels() || isIn(h, {"pixel-centre"}); });
+  std::vector<Hypothesis> all = inTwos(someOf(rows_, isOfPixels), [&](const Hypothesis&) { return others; });
+  for (Hypothesis& two : inTwos(someOf(rows_, setsPose), [&](const Hypothesis& first) {
+         Trials after(changed(trials_.file(), patchesOf(first.sets), first.stretch));
+         addPoseRows(after);
+         std::vector<Hypothesis> seconds = after.take();
+         for (Hypothesis h : rows_) {  // a window is the same behind each pose
+           if (h.sets.empty() || setsPose(h)) continue;
+           h.camera.axes = first.camera.axes;
+           h.camera.eye = first.camera.eye;
+           seconds.push_back(std::move(h));
+         }
+         return seconds;
+       }))
+    all.push_back(std::move(two));
+  return all;
+}
+
+/// A mistake beside wrong pairs, at most a quarter, which are left out.
+std::vector<Explanation> Search::besideWrongPairs() const {
+  const std::size_t n = pairs_.size(), wrong = std::max<std::size_t>(1, n / 4);
+  if (n < 4) return {};
+  std::vector<Hypothesis> all = rows_;
+  const auto add = [&](const std::vector<Hypothesis>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  const Fit fit = fitOf(nothing_);
+  if (fit.pairs.size() == n) add(families(fit, Table::simple, wrong));
+  if (fit.pairs.size() == n && n >= 8)
+    add(someOf(families(fit, Table::poses, wrong), [](const Hypothesis& h) { return h.parameters <= 6; }));
+  const double tries = static_cast<double>(all.size());
+  return judged(std::move(all), Stage::wrongPairs, tries, wrong);
+}
+
+/// Each pair has the pixel of one line, and not all their own.
+std::vector<Explanation> Search::pixelOrder() const {
+  constexpr std::size_t kMost = 2000;
+  if (pairs_.size() > kMost) return {};
+  Explanation e{.hypothesis = nothing_};
+  e.hypothesis.mistake = "pixel-order";
+  std::set<std::size_t> taken;
+  for (const Pair& pair : pairs_) {
+    const Vec2 at = pixelOf(trials_.plain(), pair.point);
+    const auto isNear = [&](const Pair& other) { return length(at - other.pixel) <= within_; };
+    const auto near = std::find_if(pairs_.begin(), pairs_.end(), isNear);
+    if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) || !taken.insert(near->line).second)
+      return {};
+    e.misses.push_back(at - near->pixel);
+    e.largest = std::max(e.largest, length(e.misses.back()));
+    e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
+    std::string& words = e.hypothesis.words;
+    if (near->line != pair.line)
+      words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
+               std::to_string(near->line);
+  }
+  return {e};
+}
+
+std::vector<Explanation> Search::explanations(bool keepsSame) {
+  const auto familiesAfter = [&](Table table) {
+    return [this, table](const Hypothesis& first) { return families(fitOf(first), table); };
+  };
+  seek(rows_, Stage::rows);
+  seek(families(fitOf(nothing_), Table::simple), Stage::families);
+  const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
+    std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
+    for (const double half : {0.5, -0.5}) {
+      Hypothesis centre{.mistake = "pixel-centre", .camera = first.camera};
+      centre.camera.centre = centre.camera.centre - Vec2{half, half};
+      all.push_back(std::move(centre));
+    }
+    return all;
+  });
+  seek(seconds, Stage::rest, 60 * static_cast<double>(seconds.size()));
+  std::vector<Hypothesis> turned = turnedPixels(rows_);
+  if (!isExplained()) {
+    seek(twoRows(), Stage::two);
+    std::vector<Hypothesis> firsts = someOf(rows_, [](const Hypothesis& h) { return isIn(h, {"distortion-ignored"}); });
+    firsts.insert(firsts.end(), turned.begin(), turned.end());
+    seek(inTwos(firsts, familiesAfter(Table::simple)), Stage::flips);
+  }
+  const double poses = static_cast<double>(countOf(Table::poses));
+  if (!isExplained()) seek(families(fitOf(nothing_), Table::poses), Stage::poses, poses);
+  if (!isExplained()) {
+    turned.resize(2, nothing_);
+    seek(inTwos(turned, familiesAfter(Table::poses)), Stage::flippedPoses, 2 * poses);
+  }
+  if (!isExplained()) {
+    const std::vector<Explanation> beside = listed(besideWrongPairs(), within_);
+    const auto isWorse = [&](const Explanation& e) { return weighted(e) < weighted(beside[0]); };
+    if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
+  }
+  if (found_.empty()) return pixelOrder();
+  return listed(std::move(found_), within_, keepsSame);
 }
 
 }  // namespace
 
-std::vector<Explanation> explain(const Document& document, const ReadOptions& reading, std::span<const Pair> pairs,
-                                 double within) {
-  Trials t(document, reading);
-  const Judge judge(t, pairs, within);
-  std::vector<Explanation> found;
-  const std::vector<Hypothesis> documents = documentsOf(t);
-  addPixelRows(t);
-  const std::vector<Hypothesis> pixels = t.take();
-  std::vector<Hypothesis> rows = documents;
-  rows.insert(rows.end(), pixels.begin(), pixels.end());
-  judge.judge(rows, Stage::rows, 0, found);
-  const auto familiesOf = [&](const Hypothesis& first, Table table) { return families(fitOf(t, first, pairs), table); };
-  judge.judge(familiesOf(t.next(""), Table::simple), Stage::families, 0, found);
-
-  // A second mistake in what the best rows leave.
-  std::vector<Explanation> tops;
-  {
-    std::vector<const Explanation*> order;
-    for (const Explanation& e : found)
-      if (e.hypothesis.parameters == 0 && e.rms > 1e-2 && e.evidence > 0 && e.hypothesis.lensPasses == 0 &&
-          e.hypothesis.places == PlaceMap::none)
-        order.push_back(&e);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const Explanation* a, const Explanation* b) { return a->evidence > b->evidence; });
-    for (const Explanation* e : order)
-      if (tops.size() < 6 &&
-          std::none_of(tops.begin(), tops.end(), [&](const Explanation& o) { return isSame(o, *e, false); }))
-        tops.push_back(*e);
-  }
-  std::vector<Hypothesis> seconds;
-  for (const Explanation& top : tops) {
-    std::vector<Hypothesis> all = familiesOf(top.hypothesis, Table::simple);
-    for (const double half : {0.5, -0.5}) {
-      Hypothesis centre = t.next("pixel-centre");
-      centre.camera = top.hypothesis.camera;
-      centre.camera.centre = {centre.camera.centre.x + half, centre.camera.centre.y + half};
-      centre.isSolved = true;
-      all.push_back(std::move(centre));
-    }
-    for (Hypothesis& h : all) seconds.push_back(both(top.hypothesis, std::move(h)));
-  }
-  judge.judge(seconds, Stage::rest, std::max<double>(60 * static_cast<double>(seconds.size()), 1), found);
-
-  const auto isExplained = [&] {
-    return std::any_of(found.begin(), found.end(), [&](const Explanation& e) {
-      return e.evidence > kThreshold && (e.largest <= within || e.rms <= 1);
-    });
+bool isSame(const Explanation& a, const Explanation& b, bool anySign) {
+  const auto isLike = [&](double x, double y) {
+    return std::fabs(anySign ? std::fabs(x) - std::fabs(y) : x - y) < 1e-6;
   };
-  if (!isExplained()) {
-    std::vector<Hypothesis> two;
-    constexpr std::array kPixels = {"y-flipped",      "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio",
-                                    "picture-turned", "row-column",      "normalized", "ndc"};
-    for (const Hypothesis& a : pixels) {
-      if (!isIn(a.mistake, kPixels)) continue;
-      for (const Hypothesis& b : documents)
-        if (isDocuments(b) && a.mistake != b.mistake) two.push_back(both(a, b));
-      for (const Hypothesis& b : pixels)
-        if (isIn(b.mistake, kPixels) && a.mistake != b.mistake && b.mistake == "pixel-centre")
-          two.push_back(both(a, b));
-    }
-    for (const Hypothesis& a : documents) {
-      if (a.sets.empty() || std::any_of(a.sets.begin(), a.sets.end(), [](const Set& set) {
-            return set.first.starts_with("viewport") || set.first.starts_with("projection") ||
-                   set.first == "distortion";
-          }))
-        continue;
-      Trials second(changed(t.file(), patchesOf(a.sets), a.stretch).document, reading);
-      for (Hypothesis& b : documentsOf(second))
-        if (isDocuments(b) && b.mistake != a.mistake) two.push_back(both(a, std::move(b)));
-    }
-    judge.judge(std::move(two), Stage::two, 0, found);
-    std::vector<Hypothesis> flipped;
-    for (const Hypothesis& a : turnedPixels(pixels))
-      for (Hypothesis& h : familiesOf(a, Table::simple)) flipped.push_back(both(a, std::move(h)));
-    judge.judge(std::move(flipped), Stage::flips, 0, found);
-  }
-  if (!isExplained()) {
-    judge.judge(familiesOf(t.next(""), Table::poses), Stage::poses, static_cast<double>(countOf(Table::poses)), found);
-    if (!isExplained()) {
-      const std::vector<Hypothesis> turned = turnedPixels(pixels);
-      for (std::size_t i = 0; i < std::min<std::size_t>(2, turned.size()); ++i) {
-        std::vector<Hypothesis> all;
-        for (Hypothesis& h : familiesOf(turned[i], Table::poses)) all.push_back(both(turned[i], std::move(h)));
-        judge.judge(std::move(all), Stage::flippedPoses, 2 * static_cast<double>(countOf(Table::poses)), found);
-      }
-    }
-  }
-  if (!isExplained()) {
-    std::vector<Explanation> beside = besideWrongPairs(t, judge, std::move(rows), pairs, within);
-    const bool isBetter = !beside.empty() && std::all_of(found.begin(), found.end(), [&](const Explanation& e) {
-      return weighted(e) < weighted(beside[0]);
-    });
-    if (isBetter) return {beside[0]};
-  }
-  return listed(std::move(found), within);
+  return std::equal(a.misses.begin(), a.misses.end(), b.misses.begin(),
+                    [&](const Vec2& p, const Vec2& q) { return isLike(p.x, q.x) && isLike(p.y, q.y); });
 }
 
-std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to) {
-  Trials t(to.document, to.reading);
-  if (h.parameters == 0) {
-    std::vector<Hypothesis> rows = documentsOf(t);
-    addPixelRows(t);
-    for (Hypothesis& row : t.take()) rows.push_back(std::move(row));
-    std::erase_if(rows, [&](const Hypothesis& row) { return row.mistake != h.mistake; });
-    return rows;
-  }
+std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within, bool keepsSame) {
+  return Search(file, pairs, within).explanations(keepsSame);
+}
+
+std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to,
+                                 const std::vector<Hypothesis>& rows) {
+  if (h.parameters == 0) return someOf(rows, [&](const Hypothesis& row) { return row.mistake == h.mistake; });
+  const Trials t(to);
   const PlainCamera was = plainOf(makeCamera(from)), &own = t.plain();
   Hypothesis anew = h;
   PlainCamera& camera = anew.camera;
-  const Vec2 times{h.camera.focal.x / was.focal.x, h.camera.focal.y / was.focal.y}, corner = t.first();
+  const Vec2 times{h.camera.focal.x / was.focal.x, h.camera.focal.y / was.focal.y};
   camera.focal = {own.focal.x * times.x, own.focal.y * times.y};
-  camera.centre =
-      h.scale != 1
-          ? Vec2{corner.x + (own.centre.x - corner.x) * times.x, corner.y + (own.centre.y - corner.y) * times.y}
-          : Vec2{own.centre.x + h.camera.centre.x - was.centre.x, own.centre.y + h.camera.centre.y - was.centre.y};
+  // About the picture's corner, if it is resized.
+  const Vec2 corner = t.corners().first, off = own.centre - corner, centre = h.camera.centre - was.centre;
+  camera.centre = h.isResized ? Vec2{corner.x + off.x * times.x, corner.y + off.y * times.y}
+                              : Vec2{own.centre.x + centre.x, own.centre.y + centre.y};
   const Rows inWorld = transposed(was.axes) * h.camera.axes, inCamera = h.camera.axes * transposed(was.axes);
   camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
-  camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1].get<double>())
+  camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1])
                                                         : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
   camera.lens = own.lens;
   return {anew};
-}
-
-std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within) {
-  std::vector<std::size_t> wrong;
-  for (std::size_t i = 0; i < misses.size(); ++i)
-    if (!(length(misses[i]) <= within)) wrong.push_back(i);
-  if (misses.size() < 4 || wrong.size() > std::max<std::size_t>(1, misses.size() / 4)) wrong.clear();
-  return wrong;
-}
-
-std::vector<std::size_t> pixelOrder(const Camera& camera, std::span<const Pair> pairs, double within) {
-  constexpr std::size_t kMost = 2000;
-  std::vector<std::size_t> order;
-  if (pairs.size() < 2 || pairs.size() > kMost) return order;
-  std::set<std::size_t> taken;
-  bool isOther = false;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ScreenPoint p = worldToScreen(camera, pairs[i].point);
-    std::vector<std::size_t> near;
-    for (std::size_t j = 0; j < pairs.size(); ++j)
-      if (length(Vec2{p.x - pairs[j].pixel.x, p.y - pairs[j].pixel.y}) <= within) near.push_back(j);
-    if (near.size() != 1 || !taken.insert(near[0]).second) return {};
-    isOther |= near[0] != i;
-    order.push_back(near[0]);
-  }
-  return isOther ? order : std::vector<std::size_t>{};
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -1,7 +1,6 @@
 // Which hypotheses explain the pixels: all are judged by one figure, evidence.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,20 +18,19 @@ struct Explanation {
   double largest = 0;  ///< miss that it leaves
   double evidence = 0;
   std::vector<Vec2> misses = {};        ///< of each pair
-  std::vector<std::size_t> wrong = {};  ///< pairs that it does not explain, from 0
+  std::vector<std::size_t> wrong = {};  ///< the lines of pairs that it does not explain
 };
 
-/// Of pairs that do not all agree within so many pixels: the best first, none where nothing explains them.
-std::vector<Explanation> explain(const Document& document, const ReadOptions& reading, std::span<const Pair> pairs,
-                                 double within);
+/// Of pairs that do not all agree within so many pixels: the best first, none where nothing explains them. keepsSame:
+/// also mistakes that give the same pixels under another name; of another camera they may not.
+std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within,
+                                 bool keepsSame = false);
 
-/// The explanation of another camera's pairs for this camera: a row in its forms here, or the same numbers added.
-std::vector<Hypothesis> madeAnew(const Hypothesis& hypothesis, const CameraFile& from, const CameraFile& to);
+/// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
+bool isSame(const Explanation& a, const Explanation& b, bool anySign);
 
-/// The pairs that alone miss by more than within: at most a quarter, of four or more. Else none.
-std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within);
-
-/// For each pair the pair whose pixel it should have, if each has one and not all their own.
-std::vector<std::size_t> pixelOrder(const Camera& camera, std::span<const Pair> pairs, double within);
+/// The explanation of another camera's pairs for this camera: its rows of that mistake, or the same numbers added.
+std::vector<Hypothesis> madeAnew(const Hypothesis& hypothesis, const CameraFile& from, const CameraFile& to,
+                                 const std::vector<Hypothesis>& rows);
 
 }  // namespace viewproj::cmd::mistakes

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/patch.hpp"
-#include "camera/plain_camera.hpp"
 #include "camera/write_camera.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -13,124 +11,81 @@ namespace viewproj::cmd::mistakes {
 namespace {
 
 constexpr double kRounding = 1e-12;
+constexpr int kAllDigits = 17;
 
 std::string inShell(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/=+";
   return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
 }
 
-/// As --set reads it: "60", "60deg", "1,2,3", or JSON.
-std::string textOf(const Json& value) {
-  if (value.is_number()) return formatNumber(value.get<double>());
-  const bool isList =
-      value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& part) { return part.is_number(); });
-  if (!isList) return value.is_string() ? value.get<std::string>() : value.dump();
-  std::string text;
-  for (const Json& part : value) text += (text.empty() ? "" : ",") + textOf(part);
-  return text;
-}
-
 /// Numbers that have changed, with fewer digits. scale: of the numbers beside it, of which rounding is a part.
-void roundChanged(Json& to, const Json* from, int digits, double scale = 0) {
-  if (to.is_number_float()) {
-    const double now = to.get<double>(), was = from && from->is_number() ? from->get<double>() : NAN;
-    scale = kRounding * std::max(scale, std::fabs(now));
-    if (std::fabs(now - was) <= scale)
-      to = *from;
-    else
-      to = std::fabs(now) <= scale ? 0 : digits < 17 ? *parseNumber(formatDigits(now, digits)) : now;
-  } else if (to.is_structured()) {
-    double largest = scale;
-    if (to.is_array())
-      for (const Json& part : to)
-        if (part.is_number()) largest = std::max(largest, std::fabs(part.get<double>()));
-    if (to.is_object())
-      for (const auto& [name, part] : to.items())
-        roundChanged(part, from && from->is_object() && from->contains(name) ? &(*from)[name] : nullptr, digits);
-    else
-      for (std::size_t i = 0; i < to.size(); ++i)
-        roundChanged(to[i], from && from->is_array() && i < from->size() ? &(*from)[i] : nullptr, digits, largest);
-  }
+void roundChanged(Json& to, const Json& from, int digits, double scale = 0) {
+  if (to.is_array())
+    for (const Json& part : to)
+      if (part.is_number()) scale = std::max(scale, std::fabs(part.get<double>()));
+  if (to.is_structured())
+    for (const auto& [key, part] : to.items()) {
+      const auto at = Json::json_pointer() / key;
+      roundChanged(part, from.contains(at) ? from[at] : Json(), digits, to.is_array() ? scale : 0);
+    }
+  if (!to.is_number_float()) return;
+  const double now = to, was = from.is_number() ? from.get<double>() : NAN;
+  const double rounding = kRounding * std::max(scale, std::fabs(now));
+  if (std::fabs(now - was) <= rounding)
+    to = from;
+  else
+    to = std::fabs(now) <= rounding ? 0 : toDigits(now, digits);
 }
 
-/// Sets the shift, where the form of the projection is of a centred window. Whether it has one.
-bool putShift(const CameraFile& file, Json& root, const Vec2& moved) {
-  const Json* const type = valueAt(root, "projection.type");
-  if (!type || (*type != "perspective" && *type != "orthographic") || valueAt(root, "projection.left")) return false;
-  Json& fields = root["projection"];
-  const double down = file.viewport->origin == Origin::topLeft ? 1 : -1;
-  const Json old = fields.value("shift", Json{0, 0});
-  const auto side = [&](const char* path) { return valueAt(root, path)->get<double>(); };
-  fields["shift"] = {old[0].get<double>() + 2 * moved.x / side("viewport.width"),
-                     old[1].get<double>() - 2 * down * moved.y / side("viewport.height")};
-  return true;
-}
-
-double rmsOf(const PlainCamera& camera, const Hypothesis& h, std::span<const Pair> pairs,
-             const std::vector<std::size_t>& wrong) {
-  double squares = 0, count = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (std::find(wrong.begin(), wrong.end(), i) != wrong.end()) continue;
-    const Vec2 at = pixelOf(camera, h.point(pairs[i].point)), given = h.pixels(pairs[i].pixel);
-    squares += (at.x - given.x) * (at.x - given.x) + (at.y - given.y) * (at.y - given.y);
-    count += 2;
-  }
-  return std::isfinite(squares) ? std::sqrt(squares / std::max(count, 1.0)) : HUGE_VAL;
-}
-
-/// The document with the numbers of a camera, in its own forms.
-Document withCamera(const CameraFile& file, const PlainCamera& from, const PlainCamera& to) {
-  CameraFile changing = file;
-  changing.document = copied(file.document);
-  if (angleOf(to.axes * transposed(from.axes)) > kRounding || to.eye != from.eye) {
-    changing.document = withPose(file, poseOf(to));
-    Json &root = *changing.document.root, &old = *file.document.root;
-    for (const char* const name : {"heading", "roll"})  // within half a turn of the old one
-      if (root.contains(name) && old.contains(name) && old[name].is_number()) {
-        const double was = old[name].get<double>();
-        root[name] = was + std::remainder(root[name].get<double>() - was, 360);
-      }
-  }
-  Vec2 centre = to.centre;
-  const Vec2 moved{centre.x - from.centre.x, centre.y - from.centre.y};
-  const bool isScaled =
-      std::fabs(to.focal.x / from.focal.x - 1) > kRounding || std::fabs(to.focal.y / from.focal.y - 1) > kRounding;
-  const bool isMoved = std::max(std::fabs(moved.x), std::fabs(moved.y)) > 1e-9;
-  const bool isSquare = std::fabs(to.focal.x * from.focal.y / (to.focal.y * from.focal.x) - 1) < 1e-9;
-  const bool isShifted = isMoved && isSquare && putShift(file, *changing.document.root, moved);
-  if (isShifted) centre = from.centre;
-  if (isScaled || (isMoved && !isShifted)) {
+/// The document with the numbers of a camera, in its own forms. Throws InputError if it has none for them.
+Document withCamera(CameraFile file, const PlainCamera& from, const PlainCamera& to) {
+  if (angleOf(to.axes * transposed(from.axes)) > kRounding || to.eye != from.eye)
+    file.document = withPose(file, poseOf(to));
+  const Vec2 moved = to.centre - from.centre;
+  const double larger = std::max(std::fabs(to.focal.x / from.focal.x - 1), std::fabs(to.focal.y / from.focal.y - 1));
+  if (larger > kRounding || std::max(std::fabs(moved.x), std::fabs(moved.y)) > 1e-9) {
     const Projection& own = *file.projection;
-    Projection shown = frameProjection(file, {to.focal.x, std::fabs(to.focal.y), centre.x, centre.y},
-                                       own.isOrthographic() ? 1 : own.zNear(), own.isOrthographic() ? 2 : own.zFar());
-    if (own.isOrthographic())
-      shown = orthographic(shown.left(), shown.right(), shown.bottom(), shown.top(), own.zNear(), own.zFar());
-    changing.document = withProjection(changing, shown);
+    const bool isFlat = own.isOrthographic();
+    const Projection p = frameProjection(file, {to.focal.x, std::fabs(to.focal.y), to.centre.x, to.centre.y},
+                                         isFlat ? 1 : own.zNear(), isFlat ? 2 : own.zFar());
+    file.document = withProjection(
+        file, isFlat ? orthographic(p.left(), p.right(), p.bottom(), p.top(), own.zNear(), own.zFar()) : p);
   }
+  const Document changed = copied(file.document);
   if (to.trial) {
-    const auto& [k, p] = *to.trial;
-    Json lens{{"model", "brown"}, {"k", {k[0], k[1], k[2]}}};
-    while (lens["k"].size() > 1 && lens["k"].back() == 0) lens["k"].erase(lens["k"].size() - 1);
-    if (p != std::array<double, 2>{}) lens["p"] = p;
-    (*changing.document.root)["distortion"] = lens;
+    std::vector<double> k(to.trial->k.begin(), to.trial->k.end());
+    while (k.size() > 1 && k.back() == 0) k.pop_back();
+    Json& lens = (*changed.root)["distortion"] = {{"model", "brown"}, {"k", k}};
+    if (to.trial->p != std::array<double, 2>{}) lens["p"] = to.trial->p;
   }
-  return changing.document;
+  return changed;
 }
 
-/// The pixels' picture is so many times as wide and high: as another size of the viewport.
-std::optional<std::vector<std::string>> otherSize(const CameraFile& file, const Vec2& times) {
-  const auto side = [&](const char* path) { return valueAt(*file.document.root, path)->get<double>(); };
-  if (!file.viewport || valueAt(*file.document.root, "viewport.crop")) return std::nullopt;
-  const double width = side("viewport.width"), height = side("viewport.height");
+/// The picture is so many times as wide and high: as another size of the viewport. Empty where it has no such form.
+std::vector<std::string> otherSize(const CameraFile& file, const Vec2& times) {
+  const auto has = [&](const char* path) { return valueAt(*file.document.root, path) != nullptr; };
+  if (!has("viewport") || has("viewport.crop")) return {};
+  const Json& viewport = (*file.document.root)["viewport"];
+  const double width = viewport["width"], height = viewport["height"];
   std::vector<std::string> sets{"viewport.width=" + formatNumber(std::round(width * times.x)),
                                 "viewport.height=" + formatNumber(std::round(height * times.y))};
-  if (valueAt(*file.document.root, "projection.fx")) {
-    if (!valueAt(*file.document.root, "projection.pixels"))
-      sets.push_back("projection.pixels=" + formatNumber(width) + "," + formatNumber(height));
-  } else if (times.x != times.y && !valueAt(*file.document.root, "projection.aspect")) {
+  if (has("projection.fx") && !has("projection.pixels"))
+    sets.push_back("projection.pixels=" + formatNumber(width) + "," + formatNumber(height));
+  if (!has("projection.fx") && times.x != times.y && !has("projection.aspect"))
     sets.push_back("projection.aspect=" + formatNumber(width) + "/" + formatNumber(height));
-  }
   return sets;
+}
+
+/// Of the pairs that the explanation is of, by component.
+double rmsWith(const CameraFile& file, const Mend& mend, const Explanation& e, std::span<const Pair> pairs) {
+  const auto misses = missesWith(file, mend, e.hypothesis, pairs);
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; misses && i < pairs.size(); ++i) {
+    if (std::find(e.wrong.begin(), e.wrong.end(), pairs[i].line) != e.wrong.end()) continue;
+    squares += (*misses)[i].x * (*misses)[i].x + (*misses)[i].y * (*misses)[i].y;
+    count += 2;
+  }
+  return misses && std::isfinite(squares) ? std::sqrt(squares / count) : HUGE_VAL;
 }
 
 }  // namespace
@@ -141,56 +96,47 @@ std::string Mend::options() const {
   return text + (stretch ? " --allow-stretch" : "");
 }
 
-std::vector<Patch> Mend::patches() const {
+std::optional<std::vector<Vec2>> missesWith(const CameraFile& file, const Mend& mend, Hypothesis h,
+                                            std::span<const Pair> pairs) {
   std::vector<Patch> patches;
-  for (const std::string& set : sets) patches.push_back(setPatch(set));
-  return patches;
+  for (const std::string& set : mend.sets) patches.push_back(setPatch(set));
+  const auto camera = plainWith(file, patches, mend.stretch);  // of too few digits there may be none
+  if (!camera) return std::nullopt;
+  h.camera = *camera;
+  h.pixels = mend.pixels;
+  return missesOf(h, pairs);
 }
 
 Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> pairs) {
   const Hypothesis& h = e.hypothesis;
-  Mend mend{{}, h.stretch, h.pixels};
-  for (const auto& [path, value] : h.sets) mend.sets.push_back(path + "=" + textOf(value));
-  if (!h.isSolved) return mend;
-  const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
-  const auto isEnough = [&](const Mend& tried, double limit) {
-    const auto camera = plainWith(file, tried.patches(), tried.stretch);  // of so few digits there may be none
-    return camera && rmsOf(*camera, h, pairs, e.wrong) <= limit;
-  };
-  const CameraFile base = h.sets.empty() ? file : changed(file, mend.patches(), h.stretch);
+  const CameraFile base = changed(file, patchesOf(h.sets), h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
+  const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
+  const bool isPose = h.camera.eye != own.eye || h.camera.axes != own.axes || h.camera.trial;
+  const Mend ofFields{setsBetween(file.document, base.document), h.stretch, h.pixels};
+  if (!isPose && times == Vec2{1, 1} && h.camera.centre == own.centre) return ofFields;
+  const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
+  if (!h.isResized) {
+    try {
+      const Document exact = withCamera(base, own, h.camera);
+      for (int digits = 3; digits <= kAllDigits; ++digits) {
+        const Document rounded = copied(exact);
+        roundChanged(*rounded.root, *base.document.root, digits);
+        const Mend tried{setsBetween(file.document, rounded), h.stretch, h.pixels};
+        if (rmsWith(file, tried, e, pairs) <= (digits < kAllDigits ? most : 1.01 * e.rms + 1e-3)) return tried;
+      }
+    } catch (const InputError&) {
+    }
+    if (isPose) return {{}, h.stretch, h.pixels};
+  } else if (h.sets.empty()) {
+    for (const bool stretch : {false, true})
+      if (const Mend tried{otherSize(file, times), stretch, h.pixels}; rmsWith(file, tried, e, pairs) <= most)
+        return tried;
+  }
   // Words are the mend of a window that the document has no form for, and of another size but of whole numbers.
-  const bool isWindow = h.camera.eye == own.eye && h.camera.axes == own.axes && !h.camera.trial;
-  const auto inWords = [&] {
-    const double x = own.focal.x / h.camera.focal.x, y = own.focal.y / h.camera.focal.y;
-    if (isWindow)
-      mend.pixels =
-          PixelMap{x, 0, own.centre.x - x * h.camera.centre.x, 0, y, own.centre.y - y * h.camera.centre.y} * h.pixels;
-    else
-      mend.sets.clear();
-    return mend;
-  };
-  if (h.scale != 1 && isWindow) {
-    const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
-    if (const auto sets = otherSize(file, times); sets && h.sets.empty())
-      for (const bool stretch : {false, true})
-        if (const Mend other{*sets, stretch, h.pixels}; isEnough(other, most)) return other;
-    return inWords();
-  }
-  Document exact;
-  try {
-    exact = withCamera(base, own, h.camera);
-  } catch (const InputError&) {
-    return inWords();
-  }
-  for (int digits = 3; digits <= 17; ++digits) {
-    const Document rounded = copied(exact);
-    roundChanged(*rounded.root, base.document.root.get(), digits);
-    Mend tried = mend;
-    for (std::string& set : setsBetween(base.document, rounded)) tried.sets.push_back(std::move(set));
-    if (isEnough(tried, digits < 17 ? most : 1.01 * e.rms + 1e-3)) return tried;
-  }
-  return inWords();
+  const auto [x, y] = h.camera.centre;
+  const PixelMap pixels{1 / times.x, 0, own.centre.x - x / times.x, 0, 1 / times.y, own.centre.y - y / times.y};
+  return {ofFields.sets, h.stretch, pixels * h.pixels};
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "commands/check/judge.hpp"
 
@@ -12,12 +13,15 @@ struct Mend {
   bool stretch = false;           ///< they need --allow-stretch
   PixelMap pixels;                ///< what the words say of the pixels
 
-  std::vector<Patch> patches() const;
   /// "--set projection.fovY=42.1"; empty where the document is right, or has no form for it.
   std::string options() const;
 };
 
 /// With the fewest digits that leave what the explanation leaves, within a hundredth.
 Mend mendOf(const CameraFile& file, const Explanation& explanation, std::span<const Pair> pairs);
+
+/// What a mend leaves of these pairs of a camera; nothing where it makes no camera of it.
+std::optional<std::vector<Vec2>> missesWith(const CameraFile& file, const Mend& mend, Hypothesis hypothesis,
+                                            std::span<const Pair> pairs);
 
 }  // namespace viewproj::cmd::mistakes

@@ -4,36 +4,36 @@
 namespace viewproj::cmd::mistakes {
 
 void addPixelRows(Trials& t) {
-  const auto [x0, y0] = t.first();
-  const auto [x1, y1] = t.last();
-  const double w = x1 - x0, h = y1 - y0, cx = t.plain().centre.x;
-  t.pixels("y-flipped", {1, 0, 0, 0, -1, y0 + y1});
-  for (const double one : {-1.0, 1.0}) t.pixels("y-flipped-index", {1, 0, 0, 0, -1, y0 + y1 + one});
-  t.pixels("x-mirrored", {-1, 0, x0 + x1, 0, 1, 0});
-  if (2 * cx != x0 + x1) t.pixels("x-mirrored", {-1, 0, 2 * cx, 0, 1, 0});
-  for (const double one : {-1.0, 1.0}) t.pixels("x-mirrored", {-1, 0, x0 + x1 + one, 0, 1, 0});
+  const auto [first, last] = t.corners();
+  const auto [x0, y0] = first;
+  const double w = last.x - x0, h = last.y - y0, xs = x0 + last.x, ys = y0 + last.y, cx = t.plain().centre.x;
+  t.pixels("y-flipped", {1, 0, 0, 0, -1, ys});
+  for (const double one : {-1.0, 1.0}) t.pixels("y-flipped-index", {1, 0, 0, 0, -1, ys + one});
+  t.pixels("x-mirrored", {-1, 0, xs, 0, 1, 0});
+  if (2 * cx != xs) t.pixels("x-mirrored", {-1, 0, 2 * cx, 0, 1, 0});
+  for (const double one : {-1.0, 1.0}) t.pixels("x-mirrored", {-1, 0, xs + one, 0, 1, 0});
   for (const double half : {-0.5, 0.5}) t.pixels("pixel-centre", {1, 0, half, 0, 1, half});
   for (const double ratio : {1.25, 1.5, 2.0, 3.0, 1 / 1.25, 1 / 1.5, 0.5, 1 / 3.0}) {
     t.pixels("pixel-ratio", {1 / ratio, 0, 0, 0, 1 / ratio, 0}, ratio);
-    if (t.pixelCenter() != 0.5)
+    if (t.viewport().pixelCenter != 0.5)
       t.pixels("pixel-ratio", {1 / ratio, 0, x0 - x0 / ratio, 0, 1 / ratio, y0 - y0 / ratio}, ratio);
   }
   // From low to 1 across the picture, or across the centres of its outer pixels, y downwards or upwards.
   for (const double low : {0.0, -1.0})
     for (const double inset : {0.0, 0.5})
-      for (const bool isUp : {false, true}) {
-        const double sx = (w - 2 * inset) / (1 - low), sy = (isUp ? -1 : 1) * (h - 2 * inset) / (1 - low);
-        const double top = isUp ? y1 - inset : y0 + inset;
+      for (const double down : {1.0, -1.0}) {
+        const double sx = (w - 2 * inset) / (1 - low), sy = down * (h - 2 * inset) / (1 - low);
+        const double top = down > 0 ? y0 + inset : last.y - inset;
         t.pixels(low == 0 ? "normalized" : "ndc", {sx, 0, x0 + inset - sx * low, 0, sy, top - sy * low});
       }
   // Of a picture with these sides, or with them exchanged; as positions or as indices.
-  for (const double one : {0.0, -1.0, 1.0})
-    t.pixels("picture-turned", {-1, 0, x0 + x1 + one, 0, -1, y0 + y1 + one}, 180);
-  for (const auto& [s, u] : {std::pair(h, w), {w, h}})
-    for (const double one : {0.0, -1.0, 1.0}) {
-      t.pixels("picture-turned", {0, 1, x0 - y0, -1, 0, x0 + y0 + s + one}, 90);
-      t.pixels("picture-turned", {0, -1, x0 + u + y0 + one, 1, 0, y0 - x0}, 270);
+  for (const double one : {0.0, -1.0, 1.0}) {
+    t.pixels("picture-turned", {-1, 0, xs + one, 0, -1, ys + one}, 180);
+    for (const auto& [side, other] : {std::pair(h, w), {w, h}}) {
+      t.pixels("picture-turned", {0, 1, x0 - y0, -1, 0, x0 + y0 + side + one}, 90);
+      t.pixels("picture-turned", {0, -1, x0 + y0 + other + one, 1, 0, y0 - x0}, 270);
     }
+  }
   t.pixels("row-column", {0, 1, 0, 1, 0, 0});
   for (const double sign : {1.0, -1.0}) {
     const double a = w / (w + 2), b = h / (h + 2 * sign);

@@ -1,13 +1,8 @@
 #include "commands/check/plain_camera.hpp"
 
-#include <algorithm>
-
 #include "viewproj/matrices.hpp"
-#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd::mistakes {
-
-using namespace detail;
 namespace {
 
 constexpr Vec2 kNone{NAN, NAN};
@@ -19,6 +14,14 @@ Vec2 bent(const TrialLens& lens, double x, double y) {
   const double u = x * x + y * y, g = 1 + u * (k1 + u * (k2 + u * k3));
   if (!(g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
   return {x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x), y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y};
+}
+
+/// In the picture of focal length 1, from its centre; and back.
+Vec2 unitOf(const PlainCamera& camera, const Vec2& pixel) {
+  return {(pixel.x - camera.centre.x) / camera.focal.x, (pixel.y - camera.centre.y) / camera.focal.y};
+}
+Vec2 inPixels(const PlainCamera& camera, const Vec2& at) {
+  return {camera.focal.x * at.x + camera.centre.x, camera.focal.y * at.y + camera.centre.y};
 }
 
 }  // namespace
@@ -33,8 +36,6 @@ Rows turn(const Vec3& vector) {
           {c * a.x * a.z - s * a.y, c * a.y * a.z + s * a.x, 1 - c * (1 - a.z * a.z)}};
 }
 
-double angleOf(const Rows& r) { return std::atan2(length(skewOf(r)), r[0].x + r[1].y + r[2].z - 1); }
-
 PlainCamera plainOf(const Camera& camera) {
   const Mat4 view = matrix(withoutLens(camera), Space::view, Space::world);
   const double down = camera.convention().view == ViewAxes::RDF ? 1 : -1;
@@ -44,33 +45,46 @@ PlainCamera plainOf(const Camera& camera) {
   };
   const Intrinsics k = camera.intrinsics();
   const double downwards = camera.viewport().origin == Origin::topLeft ? 1 : -1;
-  PlainCamera plain{
-      {row(0, 1), row(1, down), row(2, ahead)}, camera.pose().eye(), {k.fx, downwards * k.fy}, {k.cx, k.cy}};
-  plain.isOrthographic = camera.projection().isOrthographic();
-  plain.lens = lensOf(camera);
-  return plain;
+  return {.axes = {row(0, 1), row(1, down), row(2, ahead)},
+          .eye = camera.pose().eye(),
+          .focal = {k.fx, downwards * k.fy},
+          .centre = {k.cx, k.cy},
+          .lens = lensOf(camera),
+          .isOrthographic = camera.projection().isOrthographic()};
 }
 
 PlainPose poseOf(const PlainCamera& camera) {
   return {camera.eye, camera.axes[0], scaled(camera.axes[1], -1), camera.axes[2]};
 }
 
+Vec3 wayTo(const PlainCamera& camera, const Vec4& p) {
+  if (p.w == 0) return {p.x, p.y, p.z};
+  return {p.x / p.w - camera.eye.x, p.y / p.w - camera.eye.y, p.z / p.w - camera.eye.z};
+}
+
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& p) {
-  const double weight = p.w == 0 ? 1 : p.w;
-  const Vec3 way = p.w == 0
-                       ? Vec3{p.x, p.y, p.z}
-                       : Vec3{p.x / weight - camera.eye.x, p.y / weight - camera.eye.y, p.z / weight - camera.eye.z};
-  const Vec3 at = camera.axes * way;
-  Vec2 seen{at.x, at.y};
-  if (camera.isOrthographic) {
-    if (p.w == 0) return kNone;
-  } else if (camera.lens && !camera.trial) {
-    seen = distorted(*camera.lens, at);
-  } else {
-    if (!(at.z > 0)) return kNone;
-    seen = camera.trial ? bent(*camera.trial, at.x / at.z, at.y / at.z) : Vec2{at.x / at.z, at.y / at.z};
-  }
-  return {camera.focal.x * seen.x + camera.centre.x, camera.focal.y * seen.y + camera.centre.y};
+  const Vec3 at = camera.axes * wayTo(camera, p);
+  if (camera.isOrthographic) return p.w == 0 ? kNone : inPixels(camera, {at.x, at.y});
+  if (camera.lens && !camera.trial) return inPixels(camera, distorted(*camera.lens, at));
+  if (!(at.z > 0)) return kNone;
+  const Vec2 seen{at.x / at.z, at.y / at.z};
+  return inPixels(camera, camera.trial ? bent(*camera.trial, seen.x, seen.y) : seen);
+}
+
+Vec3 rayOf(const PlainCamera& camera, const Vec2& pixel) {
+  const Vec2 at = unitOf(camera, pixel);
+  const Vec3 ray = camera.lens ? undistorted(*camera.lens, at) : Vec3{at.x, at.y, 1};
+  return std::isfinite(ray.x + ray.y) ? unit(ray) : Vec3{};
+}
+
+Vec2 withoutLens(const PlainCamera& camera, const Vec2& pixel) {
+  const Vec3 ray = rayOf(camera, pixel);
+  return ray.z > 0 ? inPixels(camera, {ray.x / ray.z, ray.y / ray.z}) : kNone;
+}
+
+Vec2 bentAgain(const PlainCamera& camera, const Vec2& pixel) {
+  const Vec2 at = unitOf(camera, pixel);
+  return inPixels(camera, distorted(*camera.lens, {at.x, at.y, 1}));
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -26,17 +26,21 @@ inline Rows operator*(const Rows& a, const Rows& b) {
   const Rows t = transposed(b);
   return {t * a[0], t * a[1], t * a[2]};
 }
-using cmd::length;
-inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+inline Rows diagonal(double k) { return {Vec3{k, 0, 0}, {0, k, 0}, {0, 0, k}}; }
 inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
+
 /// About the vector, by its length in radians.
 Rows turn(const Vec3& vector);
 /// Of a rotation: the axis, times twice the sine of the angle.
 inline Vec3 skewOf(const Rows& r) { return {r[2].y - r[1].z, r[0].z - r[2].x, r[1].x - r[0].y}; }
 /// In radians, of a rotation.
-double angleOf(const Rows& rotation);
+inline double angleOf(const Rows& r) { return std::atan2(length(skewOf(r)), r[0].x + r[1].y + r[2].z - 1); }
 
-/// Of a lens that is being sought: Brown's radial and tangential terms.
+inline Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
+inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+using cmd::length;
+
+/// A lens that is being sought: Brown's radial and tangential terms.
 struct TrialLens {
   std::array<double, 3> k{};
   std::array<double, 2> p{};
@@ -54,7 +58,14 @@ struct PlainCamera {
 PlainCamera plainOf(const Camera& camera);
 PlainPose poseOf(const PlainCamera& camera);
 
-/// NaN where the point has none. A weight of 0 is a direction.
+/// From the eye, in the world: a weight of 0 is a direction.
+Vec3 wayTo(const PlainCamera& camera, const Vec4& point);
+/// NaN where the point has none.
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& point);
+/// The ray of a pixel in the camera's axes, of unit length; 0 where the lens has none.
+Vec3 rayOf(const PlainCamera& camera, const Vec2& pixel);
+/// The same pixel without the lens, or with the lens a second time. NaN where there is none.
+Vec2 withoutLens(const PlainCamera& camera, const Vec2& pixel);
+Vec2 bentAgain(const PlainCamera& camera, const Vec2& pixel);
 
 }  // namespace viewproj::cmd::mistakes

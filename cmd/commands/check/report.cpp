@@ -11,245 +11,212 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
-constexpr double kStep = 1.001;
-constexpr Kept kOfEach = {1000, 512};  ///< of each camera of a set
-
 OrderedJson orNull(const std::string& text) { return text.empty() ? OrderedJson(nullptr) : OrderedJson(text); }
+OrderedJson orNull(double number) { return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr); }
 
-OrderedJson explained(const char* mistake, const std::string& sentence) {
-  return {
-      {"mistake", mistake},      {"sentence", sentence}, {"value", nullptr},       {"mend", nullptr},
-      {"pairs", nullptr},        {"rmsMiss", nullptr},   {"largestMiss", nullptr}, {"wrongPairs", OrderedJson::array()},
-      {"camerasMended", nullptr}};
-}
+/// Distances of pixels: exact, or where these are too many, counted in steps of a thousandth.
+struct Misses {
+  std::size_t most;  ///< exact ones
+  std::size_t count = 0, worst = 0;
+  double sum = 0, squares = 0, largest = 0;
+  bool isInSteps = false;
+  std::map<double, std::size_t> counts = {};
 
-/// A report of all pairs.
-OrderedJson whole(bool agrees, std::size_t records, std::size_t noPixel, double within, const OrderedJson& statistics,
-                  std::size_t judged, const std::vector<std::size_t>& wrong, const OrderedJson& list,
-                  const OrderedJson& cameras) {
-  OrderedJson report{{"agrees", agrees}, {"records", records}, {"noPixel", noPixel}, {"within", within}};
-  report.update(statistics);
-  const bool isOpen = !agrees && list.empty() && wrong.empty();
-  report.update(OrderedJson{{"judged", judged},
-                            {"wrongPairs", wrong},
-                            {"explanations", list},
-                            {"verdict", isOpen ? OrderedJson("no explanation found") : OrderedJson(nullptr)},
-                            {"cameras", cameras}});
-  return report;
+  static double inStep(double miss) {
+    const double step = std::log(1.001);
+    return std::exp(std::ceil(std::log(std::max(miss, 1e-300)) / step) * step);
+  }
+
+  void add(double miss, std::size_t line) {
+    ++count;
+    sum += miss;
+    squares += miss * miss;
+    if (worst == 0 || miss > largest) {
+      largest = miss;
+      worst = line;
+    }
+    ++counts[isInSteps ? inStep(miss) : miss];
+    if (isInSteps || counts.size() <= most) return;
+    isInSteps = true;
+    for (const auto& [each, times] : std::exchange(counts, {})) counts[inStep(each)] += times;
+  }
+
+  /// The miss that so many are below, of all in order.
+  double at(std::size_t rank) const {
+    std::size_t below = 0;
+    for (const auto& [miss, times] : counts)
+      if ((below += times) > rank) return std::min(largest, miss);
+    return NAN;
+  }
+
+  OrderedJson statistics() const {
+    const auto n = static_cast<double>(count);
+    return {{"rmsMiss", orNull(std::sqrt(squares / n))},
+            {"meanMiss", orNull(sum / n)},
+            {"medianMiss", orNull((at((count - 1) / 2) + at(count / 2)) / 2)},
+            {"miss95", orNull(at((95 * count + 99) / 100 - 1))},  // the smallest that at least 95 % do not exceed
+            {"largestMiss", orNull(count > 0 ? largest : NAN)},
+            {"worst", count > 0 ? OrderedJson(worst) : OrderedJson(nullptr)}};
+  }
+};
+
+bool areWithin(std::span<const Vec2> misses, double within) {
+  return std::all_of(misses.begin(), misses.end(), [&](const Vec2& miss) { return length(miss) <= within; });
 }
 
 }  // namespace
 
-void Misses::add(double miss, std::size_t line) {
-  ++count_;
-  sum_ += miss;
-  squares_ += miss * miss;
-  if (worst_ == 0 || miss > largest_) {
-    largest_ = miss;
-    worst_ = line;
+/// A camera with the pairs that are of it.
+struct CheckedCamera {
+  std::string name;
+  std::optional<CameraFile> file;
+  double within;
+  std::size_t most;  ///< pairs that are kept: the first, and every 2^j-th after it
+  Misses misses;
+  std::size_t records = 0, noPixel = 0, stride = 1;
+  std::optional<Camera> camera = file ? std::optional(makeCamera(*file)) : std::nullopt;
+  std::vector<Pair> pairs = {};
+
+  /// Returns by how much the pair misses, where both have a pixel.
+  std::optional<double> add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
+    const std::size_t index = records++;
+    const ScreenPoint at = worldToScreen(*camera, point);
+    const bool isSeen = at.status == PointStatus::inFront;
+    if (isSeen != pixel.has_value()) ++noPixel;
+    if (!pixel) return std::nullopt;
+    const Vec2 miss = Vec2{at.x, at.y} - *pixel;
+    if (index % stride == 0) pairs.push_back({point, *pixel, line, miss});
+    if (pairs.size() > most) {
+      std::size_t place = 0;
+      std::erase_if(pairs, [&](const Pair&) { return place++ % 2 == 1; });
+      stride *= 2;
+    }
+    if (!isSeen) return std::nullopt;
+    const double distance = std::hypot(miss.x, miss.y);
+    misses.add(std::isnan(distance) ? HUGE_VAL : distance, line);
+    return distance;
   }
-  if (count_ <= most_) return exact_.push_back(miss);
-  const auto step = [&](double each) {
-    ++steps_[static_cast<int>(std::ceil(std::log(std::max(each, 1e-300)) / std::log(kStep)))];
+
+  bool agrees() const { return noPixel == 0 && misses.largest <= within; }
+  double rms() const {
+    return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
+  }
+
+  /// The lines of the pairs that alone disagree: at most a quarter, of four or more. Else none.
+  std::vector<std::size_t> wrongLines() const {
+    std::vector<std::size_t> wrong;
+    for (const Pair& pair : pairs)
+      if (!(length(pair.miss) <= within)) wrong.push_back(pair.line);
+    const bool areFew = pairs.size() >= 4 && wrong.size() <= std::max<std::size_t>(1, pairs.size() / 4);
+    return areFew ? wrong : std::vector<std::size_t>{};
+  }
+};
+
+PairReport::PairReport(double within)
+    : within_(within), isSet_(true), all_(new CheckedCamera{"", std::nullopt, within, 0, {10'000}}) {}
+
+PairReport::PairReport(const CameraFile& file, double within) : PairReport(within) {
+  isSet_ = false;
+  cameras_.emplace(0, new CheckedCamera{"", file, within, 4096, {10'000}});
+}
+
+void PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line, std::size_t camera,
+                     const std::function<std::pair<std::string, CameraFile>()>& read) {
+  std::shared_ptr<CheckedCamera>& of = cameras_[camera];
+  if (!of) {
+    const auto [name, file] = read();
+    of.reset(new CheckedCamera{name, file, within_, 512, {1000}});
+  }
+  ++all_->records;
+  if (const auto miss = of->add(point, pixel, line)) all_->misses.add(*miss, line);
+}
+
+std::size_t PairReport::records() const { return all_->records; }
+
+OrderedJson PairReport::explanations(const CheckedCamera& of) const {
+  std::vector<Explanation> found = explain(*of.file, of.pairs, within_, isSet_);
+  struct Told {
+    Mend mend;
+    std::size_t anew = 0, asItIs = 0;  ///< cameras that it brings within: made for each of them, or one mend for all
+    bool isHarmless = true;            ///< all cameras that agree do so with the mend
   };
-  for (const double each : exact_) step(each);
-  exact_.clear();
-  step(miss);
-}
-
-double Misses::at(std::size_t rank) const {
-  if (!exact_.empty()) {
-    std::vector<double> sorted = exact_;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
-    return sorted[rank];
+  std::vector<Told> told;
+  for (const Explanation& e : found) told.push_back({mendOf(*of.file, e, of.pairs)});
+  for (const auto& [place, camera] : cameras_) {
+    if (!isSet_) break;
+    const std::vector<Hypothesis> rows = rowsOf(*camera->file);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Hypothesis& h = found[i].hypothesis;
+      const auto explains = [&](const Hypothesis& its) { return areWithin(missesOf(its, camera->pairs), within_); };
+      const std::vector<Hypothesis> its = madeAnew(h, *of.file, *camera->file, rows);
+      told[i].anew += std::any_of(its.begin(), its.end(), explains);
+      const auto misses = missesWith(*camera->file, told[i].mend, h, camera->pairs);
+      const bool isMended = misses && areWithin(*misses, within_);
+      told[i].asItIs += isMended;
+      told[i].isHarmless &= isMended || !camera->agrees();
+    }
   }
-  std::size_t below = 0;
-  for (const auto& [step, count] : steps_)
-    if ((below += count) > rank) return std::min(largest_, std::pow(kStep, step));
-  return largest_;
-}
-
-OrderedJson Misses::statistics() const {
-  const bool has = count_ > 0;
-  const auto n = static_cast<double>(count_);
-  const auto orNone = [&](double value) {
-    return has && std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-  };
-  return {{"rmsMiss", orNone(std::sqrt(squares_ / n))},
-          {"meanMiss", orNone(sum_ / n)},
-          {"medianMiss", orNone(has ? (at((count_ - 1) / 2) + at(count_ / 2)) / 2 : NAN)},
-          {"miss95", orNone(has ? at((95 * count_ + 99) / 100 - 1) : NAN)},
-          {"largestMiss", orNone(largest_)},
-          {"worst", has ? OrderedJson(worst_) : OrderedJson(nullptr)}};
-}
-
-// ---- One camera
-
-PairReport::PairReport(const CameraFile& file, double within, const Kept& kept)
-    : file_(file), camera_(makeCamera(file)), within_(within), most_(kept.pairs), misses_(kept.exact) {}
-
-std::optional<double> PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
-  const std::size_t index = records_++;
-  const ScreenPoint at = worldToScreen(camera_, point);
-  const bool isSeen = at.status == PointStatus::inFront;
-  if (isSeen != pixel.has_value()) ++noPixel_;
-  if (!pixel) return std::nullopt;
-  std::optional<double> miss;
-  if (isSeen) {
-    miss = std::hypot(at.x - pixel->x, at.y - pixel->y);
-    if (std::isnan(*miss)) miss = HUGE_VAL;
-    misses_.add(*miss, line);
-  }
-  if (index % stride_ != 0) return miss;
-  pairs_.push_back({point, *pixel});
-  lines_.push_back(line);
-  if (pairs_.size() <= most_) return miss;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pairs_.size(); i += 2, ++kept) {
-    pairs_[kept] = pairs_[i];
-    lines_[kept] = lines_[i];
-  }
-  pairs_.resize(kept);
-  lines_.resize(kept);
-  stride_ *= 2;
-  return miss;
-}
-
-std::vector<std::size_t> PairReport::linesOf(const std::vector<std::size_t>& pairs) const {
-  std::vector<std::size_t> lines;
-  for (const std::size_t i : pairs) lines.push_back(lines_[i]);
-  return lines;
-}
-
-std::vector<std::size_t> PairReport::wrongLines() const {
-  std::vector<Vec2> misses;
-  for (const Pair& pair : pairs_) {
-    const ScreenPoint at = worldToScreen(camera_, pair.point);
-    misses.push_back({at.x - pair.pixel.x, at.y - pair.pixel.y});
-  }
-  return linesOf(wrongPairs(misses, within_));
-}
-
-std::vector<Explanation> PairReport::explanations() const {
-  return explain(file_.document, file_.reading, pairs_, within_);
-}
-
-Mend PairReport::mendOf(const Explanation& e) const { return mistakes::mendOf(file_, e, pairs_); }
-
-OrderedJson PairReport::asJson(const Explanation& e, const Mend& mend) const {
-  const std::vector<std::size_t> wrong = linesOf(e.wrong);
-  OrderedJson one = explained(e.hypothesis.mistake.c_str(), sentenceOf(file_, e, wrong, within_));
-  one["value"] = OrderedJson(e.hypothesis.value);
-  one["mend"] = orNull(mend.options());
-  one["pairs"] = orNull(wordsForPairs(e.hypothesis, mend.pixels));
-  one["rmsMiss"] = std::numbers::sqrt2 * e.rms;
-  one["largestMiss"] = e.largest;
-  one["wrongPairs"] = wrong;
-  return one;
-}
-
-OrderedJson PairReport::pixelOrderExplained() const {
+  std::size_t most = 0;
+  for (const Told& each : told) most = std::max({most, each.anew, each.asItIs});
   OrderedJson list = OrderedJson::array();
-  const std::vector<std::size_t> order = pixelOrder(camera_, pairs_, within_);
-  if (order.empty()) return list;
-  std::string words;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (order[i] != i)
-      words += (words.empty() ? "give line " : ", line ") + std::to_string(lines_[i]) + " the pixel of line " +
-               std::to_string(lines_[order[i]]);
-  list.push_back(explained("pixel-order", "the pixels are in another order"));
-  list[0]["pairs"] = words;
+  std::vector<const Explanation*> shown;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [mend, anew, asItIs, isHarmless] = told[i];
+    const Explanation& e = found[i];
+    const std::size_t mended = std::max(anew, asItIs);
+    if (mended < most) continue;
+    // Of the cameras, too, it is the same under another name.
+    if (isSet_ && std::any_of(shown.begin(), shown.end(), [&](const auto* other) { return isSame(*other, e, true); }))
+      continue;
+    shown.push_back(&e);
+    const bool isOfOne = isSet_ && mended <= 1 && cameras_.size() > 1;
+    list.push_back({{"mistake", e.hypothesis.mistake},
+                    {"sentence", sentenceOf(*of.file, e, within_) + (isOfOne ? " (" + of.name + " alone)" : "")},
+                    {"value", e.hypothesis.value},
+                    {"mend", orNull(isHarmless && asItIs >= anew ? mend.options() : "")},
+                    {"pairs", orNull(wordsForPairs(e.hypothesis, mend.pixels))},
+                    {"rmsMiss", std::numbers::sqrt2 * e.rms},
+                    {"largestMiss", e.largest},
+                    {"wrongPairs", e.wrong},
+                    {"camerasMended", isSet_ ? OrderedJson(mended) : OrderedJson(nullptr)}});
+  }
   return list;
 }
 
-bool PairReport::isWithin(const PlainCamera& camera, const Hypothesis& h, const PixelMap& pixels) const {
-  return std::all_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-    const Vec2 at = pixelOf(camera, h.point(pair.point)), given = pixels(pair.pixel);
-    return length(Vec2{at.x - given.x, at.y - given.y}) <= within_;
-  });
-}
-
-bool PairReport::isMendedBy(const PairReport& other, const Explanation& e) const {
-  const std::vector<Hypothesis> all = madeAnew(e.hypothesis, other.file_, file_);
-  return std::any_of(all.begin(), all.end(), [&](const Hypothesis& h) { return isWithin(h.camera, h, h.pixels); });
-}
-
-bool PairReport::isMendedBy(const Mend& mend, const Hypothesis& h) const {
-  const auto camera = plainWith(file_, mend.patches(), mend.stretch);
-  return camera && isWithin(*camera, h, mend.pixels);
-}
-
-OrderedJson PairReport::statistics() const {
-  OrderedJson statistics{{"records", records_}, {"noPixel", noPixel_}};
-  statistics.update(misses_.statistics());
-  return statistics;
-}
-
 OrderedJson PairReport::report() const {
-  OrderedJson list = OrderedJson::array();
-  const std::vector<std::size_t> wrong = agrees() ? std::vector<std::size_t>{} : wrongLines();
-  if (!agrees() && !pairs_.empty() && wrong.empty()) {
-    for (const Explanation& e : explanations()) list.push_back(asJson(e, mendOf(e)));
-    if (list.empty()) list = pixelOrderExplained();
-  }
-  return whole(agrees(), records_, noPixel_, within_, misses_.statistics(), pairs_.size(), wrong, list, nullptr);
-}
-
-// ---- A set
-
-void SetReport::add(std::size_t camera, const std::function<std::pair<std::string, CameraFile>()>& read,
-                    const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
-  auto found = cameras_.find(camera);
-  if (found == cameras_.end()) {
-    auto [name, file] = read();
-    found = cameras_.emplace(camera, Named{std::move(name), PairReport(file, within_, kOfEach)}).first;
-  }
-  ++records_;
-  if (const auto miss = found->second.report.add(point, pixel, line)) misses_.add(*miss, line);
-}
-
-bool SetReport::agrees() const {
-  return std::all_of(cameras_.begin(), cameras_.end(), [](const auto& each) { return each.second.report.agrees(); });
-}
-
-OrderedJson SetReport::report() const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<std::pair<double, const PairReport*>> disagreeing;
-  std::size_t noPixel = 0, judged = 0;
-  for (const auto& [which, each] : cameras_) {
-    OrderedJson row{{"name", each.name}};
-    row.update(each.report.statistics());
-    noPixel += each.report.noPixel();
-    if (!each.report.agrees()) {
-      const std::vector<std::size_t> lines = each.report.wrongLines();
-      wrong.insert(wrong.end(), lines.begin(), lines.end());
-      if (lines.empty() && each.report.judged() > 0)
-        disagreeing.emplace_back(row["rmsMiss"].is_null() ? HUGE_VAL : row["rmsMiss"].get<double>(), &each.report);
-    }
+  std::vector<const CheckedCamera*> open;  // that disagree, by more than a few wrong pairs
+  std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairs.size();
+  bool agrees = true;
+  for (const auto& [place, camera] : cameras_) {
+    noPixel += camera->noPixel;
+    OrderedJson row{{"name", camera->name}, {"records", camera->records}, {"noPixel", camera->noPixel}};
+    row.update(camera->misses.statistics());
     cameras.push_back(std::move(row));
+    if (camera->agrees()) continue;
+    agrees = false;
+    const std::vector<std::size_t> lines = camera->wrongLines();
+    wrong.insert(wrong.end(), lines.begin(), lines.end());
+    if (lines.empty() && !camera->pairs.empty()) open.push_back(camera.get());
   }
   std::sort(wrong.begin(), wrong.end());
-  std::sort(disagreeing.begin(), disagreeing.end());
-  if (!disagreeing.empty()) {  // sought for the one in the middle, and tried on all
-    const PairReport& middle = *disagreeing[disagreeing.size() / 2].second;
-    judged = middle.judged();
+  std::stable_sort(open.begin(), open.end(), [](const auto* a, const auto* b) { return a->rms() < b->rms(); });
+  if (!open.empty()) {  // sought for the one in the middle, and tried on all
+    const CheckedCamera& middle = *open[open.size() / 2];
+    judged = middle.pairs.size();
     wrong.clear();
-    for (const Explanation& e : middle.explanations()) {
-      const auto count = [&](const auto& isMended) {
-        return std::count_if(cameras_.begin(), cameras_.end(),
-                             [&](const auto& each) { return isMended(each.second.report); });
-      };
-      const Mend mend = middle.mendOf(e);
-      const auto anew = count([&](const PairReport& each) { return each.isMendedBy(middle, e); });
-      const auto asIs = count([&](const PairReport& each) { return each.isMendedBy(mend, e.hypothesis); });
-      OrderedJson one = middle.asJson(e, mend);
-      one["camerasMended"] = std::max(anew, asIs);
-      if (asIs < anew) one["mend"] = nullptr;  // in each camera it is another
-      list.push_back(std::move(one));
-    }
+    list = explanations(middle);
   }
-  return whole(agrees(), records_, noPixel, within_, misses_.statistics(), judged, wrong, list, cameras);
+  const bool isFound = agrees || !list.empty() || !wrong.empty();
+  OrderedJson report{{"agrees", agrees}, {"records", all_->records}, {"noPixel", noPixel}, {"within", within_}};
+  report.update(all_->misses.statistics());
+  report.update(OrderedJson{{"judged", judged},
+                            {"wrongPairs", wrong},
+                            {"explanations", list},
+                            {"verdict", isFound ? OrderedJson(nullptr) : OrderedJson("no explanation found")},
+                            {"cameras", isSet_ ? cameras : OrderedJson(nullptr)}});
+  return report;
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "camera/plain_camera.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd::mistakes {
 namespace {
 
+constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture"},
     {"y-flipped-index", "y is counted from the other edge, one pixel off"},
@@ -76,73 +76,83 @@ constexpr Mistake kMistakes[] = {
     {"another-camera", "another camera: {0} degrees, moved by {1}, {2}, {3}"},
     {"pixel-order", "the pixels are in another order"}};
 
-std::string shown(const Json& value) {
-  if (value.is_number()) return formatDigits(value.get<double>(), 4);
+double largestOf(const Json& value) {
+  if (value.is_number()) return std::fabs(value.get<double>());
+  double largest = 0;
+  if (value.is_array())
+    for (const Json& part : value) largest = std::max(largest, largestOf(part));
+  return largest;
+}
+
+/// Of numbers beside larger ones, rounding is not shown.
+std::string shown(const Json& value, double largest) {
+  if (value.is_number()) return largestOf(value) < 1e-9 * largest ? "0" : formatDigits(value, 4);
   if (!value.is_array()) return value.is_string() ? value.get<std::string>() : "another";
   std::string text;
-  double largest = 0;
-  for (const Json& part : value)
-    if (part.is_number()) largest = std::max(largest, std::fabs(part.get<double>()));
-  for (const Json& part : value) {
-    const bool isRounding = part.is_number() && std::fabs(part.get<double>()) < 1e-9 * largest;
-    text += (text.empty() ? "" : ", ") + shown(isRounding ? Json(0) : part);
-  }
+  for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part, largest);
   return text;
 }
 
 std::string sentence(std::string_view mistake, const Json& value) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
     return sentence(mistake.substr(0, plus), value[0]) + "; " + sentence(mistake.substr(plus + 3), value[1]);
-  const auto row = std::find_if(std::begin(kMistakes), std::end(kMistakes),
-                                [&](const Mistake& each) { return each.name == mistake; });
-  std::string text;
-  for (std::string_view rest = row->meaning; !rest.empty();) {
-    const std::size_t open = std::min(rest.find('{'), rest.size()), close = std::min(rest.find('}'), rest.size());
-    text += rest.substr(0, open);
-    if (open < rest.size())
-      text += shown(close == open + 1 ? value : value[static_cast<std::size_t>(rest[open + 1] - '0')]);
-    rest.remove_prefix(std::min(close + 1, rest.size()));
+  std::string text(kMistakes[placeOf(mistake)].meaning);
+  for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{')) {
+    const std::size_t close = text.find('}');
+    const Json& part = close == open + 1 ? value : value[static_cast<std::size_t>(text[open + 1] - '0')];
+    text.replace(open, close - open + 1, shown(part, largestOf(value)));
   }
   return text;
 }
 
 /// ": heading 72.4 for 69.2", where up is known and the camera is turned.
 std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
-  if (!file.worldIsEcef && !file.worldIsEnu) return "";
-  const HeadingPitchRoll from = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef),
-                         turned = headingPitchRollOf(poseOf(to), file.worldIsEcef);
-  const auto compass = [](Angle angle) { return angle.value < 0 ? angle.value + 360 : angle.value; };
+  if (!knowsUp(file)) return "";
+  const auto degreesOf = [&](const PlainPose& pose) {
+    const auto [heading, pitch, roll] = headingPitchRollOf(pose, file.worldIsEcef);
+    return std::array{heading.value < 0 ? heading.value + 360 : heading.value, pitch.value, roll.value};
+  };
+  const auto was = degreesOf(plainPose(*file.pose)), is = degreesOf(poseOf(to));
   std::string text;
-  for (const auto& [name, now, before] : {std::tuple("heading ", compass(turned.heading), compass(from.heading)),
-                                          {"pitch ", turned.pitch.value, from.pitch.value},
-                                          {"roll ", turned.roll.value, from.roll.value}})
-    if (const std::string is = formatDigits(now, 4), was = formatDigits(before, 4); is != was)
-      text += (text.empty() ? ": " : ", ") + std::string(name) + is + " for " + was;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::fabs(is[i] - was[i]) > 1e-9)
+      text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) +
+              formatDigits(is[i], 4) + " for " + formatDigits(was[i], 4);
   return text;
 }
 
-std::string term(double factor, const char* name) {
-  const double size = std::fabs(factor);
-  return size == 1 ? name : size < 1 ? name + ("/" + formatDigits(1 / size, 12)) : formatDigits(size, 12) + name;
-}
+using Term = std::pair<double, const char*>;
 
 /// "0.5x + 3", "720 - y"
-std::string formula(double x, double y, double offset) {
+std::string formula(std::initializer_list<Term> terms) {
   std::string text;
-  const auto add = [&](double sign, const std::string& part) {
-    text += text.empty() ? (sign < 0 ? "-" : "") + part : (sign < 0 ? " - " : " + ") + part;
-  };
-  const bool isLast = x >= 0 && y >= 0;
-  if (!isLast && offset != 0) add(offset, formatDigits(std::fabs(offset), 12));
-  if (x != 0) add(x, term(x, "x"));
-  if (y != 0) add(y, term(y, "y"));
-  if (isLast && offset != 0) add(offset, formatDigits(std::fabs(offset), 12));
+  for (const double sign : {1.0, -1.0})
+    for (const auto& [factor, name] : terms) {
+      const double size = sign * factor;
+      if (!(size > 0)) continue;
+      text += text.empty() ? (sign < 0 ? "-" : "") : sign < 0 ? " - " : " + ";
+      const bool isPart = *name != 0 && size < 1;
+      const std::string digits = size == 1 && *name != 0 ? "" : formatDigits(isPart ? 1 / size : size, 12);
+      text += isPart ? name + ("/" + digits) : digits + name;
+    }
   return text;
 }
 
 }  // namespace
 
 std::span<const Mistake> allMistakes() { return kMistakes; }
+
+std::size_t placeOf(std::string_view mistake) {
+  if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
+    return placeOf(mistake.substr(0, plus)) + placeOf(mistake.substr(plus + 3));
+  std::size_t place = 0;
+  while (kMistakes[place].name != mistake) ++place;
+  return place;
+}
+
+bool isLongKnown(std::string_view mistake) {
+  return std::any_of(kMistakes, kMistakes + kLongKnown, [&](const Mistake& each) { return each.name == mistake; });
+}
 
 std::string shownLines(std::span<const std::size_t> lines) {
   std::string text = lines.size() == 1 ? "line " : "lines ";
@@ -151,37 +161,32 @@ std::string shownLines(std::span<const std::size_t> lines) {
   return text;
 }
 
-std::string sentenceOf(const CameraFile& file, const Explanation& e, std::span<const std::size_t> wrongLines,
-                       double within) {
+std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
   std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value) + turnsOf(file, e.hypothesis.camera);
-  if (!wrongLines.empty()) words += ", but for " + shownLines(wrongLines);
+  if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";
 }
 
 std::string wordsForPairs(const Hypothesis& h, const PixelMap& m) {
-  static constexpr std::array kNames{"x", "y", "z"};
-  std::vector<std::string> words;
-  std::string pixels;
-  if (m.xx != 1 || m.xy != 0 || m.x0 != 0) pixels = "x by " + formula(m.xx, m.xy, m.x0);
-  if (m.yx != 0 || m.yy != 1 || m.y0 != 0)
-    pixels += (pixels.empty() ? "" : " and ") + ("y by " + formula(m.yx, m.yy, m.y0));
-  if (!pixels.empty()) words.push_back("replace " + pixels + " in the pixels");
-  if (h.points != kUnit) {
-    std::string axes;
-    for (const Vec3& row : h.points)
-      for (std::size_t i = 0; i < 3; ++i)
-        if (row[i] != 0)
-          axes += (axes.empty() ? "" : ",") + std::string(row[i] < 0 ? "-" : "") + term(row[i], kNames[i]);
-    words.push_back("replace x,y,z of the points by " + axes);
-  }
-  if (h.places == PlaceMap::exchange) words.emplace_back("exchange lat and lon of the points");
-  if (h.places == PlaceMap::negateLon) words.emplace_back("replace lon of the points by -lon");
-  if (h.places == PlaceMap::negateLat) words.emplace_back("replace lat of the points by -lat");
-  if (h.lensPasses < 0) words.emplace_back("undistort the pixels once; the lens is in them twice");
-  if (h.lensPasses > 0) words.emplace_back("do not undistort the pixels; they are undistorted twice");
   std::string text;
-  for (const std::string& each : words) text += (text.empty() ? "" : ", and ") + each;
+  const auto add = [&](bool isNeeded, const std::string& words) {
+    if (isNeeded) text += (text.empty() ? "" : ", and ") + words;
+  };
+  const bool isX = m.xx != 1 || m.xy != 0 || m.x0 != 0, isY = m.yx != 0 || m.yy != 1 || m.y0 != 0;
+  const std::string x = "x by " + formula({{m.xx, "x"}, {m.xy, "y"}, {m.x0, ""}}),
+                    y = "y by " + formula({{m.yx, "x"}, {m.yy, "y"}, {m.y0, ""}});
+  add(isX || isY, "replace " + (isX && isY ? x + " and " + y : isX ? x : y) + " in the pixels");
+  std::string axes;
+  for (const Vec3& row : h.points)
+    axes += (axes.empty() ? "" : ",") + formula({{row.x, "x"}, {row.y, "y"}, {row.z, "z"}});
+  add(h.points != kUnit, "replace x,y,z of the points by " + axes);
+  add(h.places == PlaceMap::exchange, "exchange lat and lon of the points");
+  add(h.places == PlaceMap::negateLon, "replace lon of the points by -lon");
+  add(h.places == PlaceMap::negateLat, "replace lat of the points by -lat");
+  add(h.lensPasses < 0, "undistort the pixels once; the lens is in them twice");
+  add(!h.words.empty(), h.words);
+  add(h.lensPasses > 0, "do not undistort the pixels; they are undistorted twice");
   return text;
 }
 

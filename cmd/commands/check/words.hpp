@@ -14,10 +14,13 @@ struct Mistake {
 };
 /// In the order of help. {}, {0} and {1} stand for the value and its parts.
 std::span<const Mistake> allMistakes();
+/// In that order; of two at once the sum.
+std::size_t placeOf(std::string_view mistake);
+/// Whether it is told as well where it brings all pairs within the tolerance.
+bool isLongKnown(std::string_view mistake);
 
 /// "the focal length is 1.5 times this one's, which leaves 0.28 px"
-std::string sentenceOf(const CameraFile& file, const Explanation& explanation, std::span<const std::size_t> wrongLines,
-                       double within);
+std::string sentenceOf(const CameraFile& file, const Explanation& explanation, double within);
 
 /// "lines 5 and 9"
 std::string shownLines(std::span<const std::size_t> lines);
