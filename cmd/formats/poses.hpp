@@ -2,18 +2,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "camera/camera_set.hpp"
 
 namespace viewproj::cmd {
 
 struct PosesOfFile {
-  std::vector<CameraEntry> names;
-  /// worldFromCamera or cameraFromWorld, as the field's value. Throws InputError, also for a pose that is lost.
-  std::function<Json(std::size_t which)> pose;
-  /// The direction, if the file's form has one: "worldFromCamera", "cameraFromWorld"; or empty.
-  std::string direction;
+  Import poses;  ///< each a camera without a lens
+  /// "worldFromCamera" or "cameraFromWorld", the field of the pose.
+  std::string field;
+  bool isDirected;  ///< the file's form has this direction; else no number tells it
 };
 
 /// Whether a file holds poses alone.
