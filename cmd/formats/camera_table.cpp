@@ -193,7 +193,7 @@ Cells cellsOf(const WrittenCamera& camera) {
 }  // namespace table
 
 extern const Format kTable{
-    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, "id", table::recognises};
+    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, table::kNameColumns, table::recognises};
 
 std::vector<WrittenFile> writeTable(std::span<const WrittenCamera> cameras, std::string_view) {
   std::vector<table::Cells> rows;

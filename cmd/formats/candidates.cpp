@@ -156,8 +156,21 @@ class Finder {
     found_.push_back(std::make_shared<Candidate>(Candidate{kind, steps, std::move(numbers), name, std::move(suffix)}));
   }
 
+  /// The numbers of a value, or those of an object of numbers in no order.
+  static std::optional<std::vector<double>> partsOf(const Json& value) {
+    if (auto numbers = numbersIn(value)) return numbers;
+    constexpr std::size_t kLeast = 3, kMost = 7;
+    if (!value.is_object() || value.size() < kLeast || value.size() > kMost) return std::nullopt;
+    std::vector<double> numbers(kMost + 1);  // a count that no kind has
+    for (const Json& member : value) {
+      if (!member.is_number()) return std::nullopt;
+      numbers.front() = numbers.front() != 0 ? numbers.front() : member.get<double>();
+    }
+    return numbers;
+  }
+
   void look(std::string_view key, const Json& value, const std::vector<std::string>& steps) {
-    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : numbersIn(value);
+    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : partsOf(value);
     constexpr std::size_t kMost = 17;
     if (!numbers || numbers->empty() || numbers->size() > kMost) return;
     const std::vector<double>& n = *numbers;
@@ -173,6 +186,7 @@ class Finder {
     }
     const double noise = hasWord(key, kNoise) ? -3 : 0;
     const std::string count = std::to_string(n.size());
+    const std::size_t before = found_.size();
     bool isMatrix = false;
     for (const Look& look : kLooks) {
       const bool isOf = look.needs == Look::letters ? isAmong(letters, look.words) : hasWord(key, look.words);
@@ -186,7 +200,9 @@ class Finder {
       const bool isPlain = look.needs == Look::letters || isAmong(look.kind, "direction target");
       add(std::string(look.kind), steps, look.kind == "K" && !look.suffix.empty() ? transposed(n, 3) : n,
           look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
+      found_.back()->isOrdered = value.is_object();
     }
+    if (found_.size() == before && n.size() > 2 && noise == 0) add("?", steps, n, 0);
   }
 
   /// The name that says what a value is: of an item of a list the list's, of "coefficients" the one above.
@@ -268,6 +284,7 @@ class Finder {
       for (std::size_t i = 0; i < each->steps.size(); ++i)
         for (const auto& [form, text] : templatesOf(each->steps[i])) {
           const bool isPose = isAmong(each->kind, "X R V Q T");
+          if (each->kind == "?") continue;
           if (isKindOnly(text) || hasWord(text, kNoise)) continue;
           if (isPose && (each->steps[i].find("_to_") != std::string::npos) &&
               (form != "*" || i + 1 == each->steps.size()))

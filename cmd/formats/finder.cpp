@@ -148,7 +148,7 @@ constexpr std::string_view
     kToWorld =
         "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
         "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
-        "cam_to_base cam_to_lidar cam_to_vehicle camera_to_lidar matrix_world",
+        "cam_to_base cam_to_lidar cam_to_vehicle camera_to_lidar matrix_world cameraextrinsicmat",
     kToCamera =
         "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
@@ -173,7 +173,9 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
   if (hasPart(path, kToWorld)) return "worldFromCamera";
   const auto toward = lens ? towardOf(pose) : std::nullopt;
   if (toward && shares(toward->second, lens->tag) && !shares(toward->first, lens->tag)) return "cameraFromWorld";
-  return hasPart(path, kToCamera) ? "cameraFromWorld" : "";
+  // Vehicles' files give extrinsics with quaternions, of either direction.
+  const bool isUnclear = pose.kind == "Q" && hasPart(path, "extrinsic");
+  return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";
 }
 
 struct Line {
@@ -234,12 +236,13 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
       line.ask.push_back(turn->path() + ", " + place->path() +
                          ": taken as camera from world, as solvePnP and calibrateCamera return them");
     }
-    const bool isWFirst = turn->kind == "Q" && turn->terms.empty() && std::fabs(turn->numbers.front()) > 0.9;
+    const bool isWFirst =
+        turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered && std::fabs(turn->numbers.front()) > 0.9;
     const std::string form = turn->kind == "R"   ? "rotation"
                              : turn->kind == "V" ? "rotationVector"
                              : isWFirst          ? "quaternionWFirst"
                                                  : "quaternion";
-    if (turn->kind == "Q" && turn->terms.empty())
+    if (turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered)
       line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
     const std::string pose = direction.empty() ? "pose" : direction;
     line.add(pose + "." + form, {turn}, match.score / 2);
@@ -333,6 +336,21 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
   line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
 }
 
+/// What may be wrong with a lens that begins with these coefficients.
+void askAboutLens(Line& line, const Candidate& lens, const Candidates& all, std::string_view text) {
+  constexpr double kLeast = 1e-6;
+  if (const double k1 = std::fabs(lens.numbers.front()); k1 > 0 && k1 < kLeast)
+    line.ask.push_back(lens.path() + ": so small that it may count pixels; k1 here is of focal lengths, f^2 as large");
+  if (text.find("inverse brown") != std::string_view::npos || text.find("inverse_brown") != std::string_view::npos)
+    line.ask.push_back(lens.path() + ": of an inverse Brown-Conrady lens, as the file says, which parts cannot say");
+  for (const Chosen& other : all)
+    if (other->kind == "K" && other != line.first && hasWord(other->steps.back(), "original raw distorted") &&
+        !hasWord(line.first->steps.back(), "original raw distorted") &&
+        std::equal(other->steps.begin(), other->steps.end() - 1, line.first->steps.begin(),
+                   line.first->steps.end() - 1))
+      line.ask.push_back(other->path() + ": this K may be the one that the distortion goes with");
+}
+
 /// The lines that begin with a lens.
 std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& boxes) {
   std::vector<Line> lines;
@@ -420,7 +438,11 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
     const std::string name = line.parts.front().first;
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
                                         hasWord(line.first->steps.back(), "p projection rect rectified"));
-    if (!isFlat) putLens(line, all, boxes, isFisheye);
+    if (!isFlat) {
+      const std::size_t before = line.used.size();
+      putLens(line, all, boxes, isFisheye);
+      if (line.used.size() > before) askAboutLens(line, *line.used[before], all, text);
+    }
     if (name != "P") {
       line.poses = posesFor(*line.first, all);
       if (isFlat) std::erase_if(line.poses, [](const Match& match) { return match.parts.size() > 1; });
@@ -523,14 +545,24 @@ Proposal proposeParts(const Document& file) {
       for (const Chosen& term : each->terms) used.insert(bareOf(*term));
     }
   }
-  for (const Chosen& each : all)
-    if (!lines.empty() && !each->isStarred() && each->terms.empty() && isAmong(each->kind, "K P X R V Q T E D S") &&
-        !used.contains(bareOf(*each)) &&
-        std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; })) {
-      const std::string path = each->path();
-      if (std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
-        proposal.leftOut.push_back(path);
-    }
+  // Numbers of no kind are left out beside the parts that are used, and above them.
+  const auto isBesideUsed = [&](const Candidate& candidate) {
+    const std::string path = candidate.path(),
+                      box = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.') + 1);
+    return std::none_of(used.begin(), used.end(),
+                        [&](const std::string& each) { return each.starts_with(path + "."); }) &&
+           std::any_of(used.begin(), used.end(), [&](const std::string& each) { return each.starts_with(box); });
+  };
+  for (const Chosen& each : all) {
+    const bool isKind =
+        isAmong(each->kind, "K P X R V Q T E D S F C direction target") || (each->kind == "?" && isBesideUsed(*each));
+    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() && isKind &&
+                        !used.contains(bareOf(*each)) &&
+                        std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
+    const std::string path = each->path();
+    if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
+      proposal.leftOut.push_back(path);
+  }
   if (lines.empty()) addBlocks(*file.root, "", proposal.blocks);
   return proposal;
 }

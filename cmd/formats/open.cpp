@@ -131,8 +131,19 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
     return {nullptr, {camera}, field};
   }
   const auto [name, pick] = splitPick(source);
-  const auto file = std::make_shared<Document>(readTree(name, "--" + opening.option));
+  const auto file = std::make_shared<Document>(
+      readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world"));
+  file->marks = std::make_shared<std::unordered_set<const void*>>();
   PosesOfFile read = posesOf(Node(*file));
+  if (read.poses.cameras.empty()) {  // a camera's pose
+    try {
+      read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
+    } catch (const UnknownFormat&) {
+      Node(*file).fail(
+          "holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, or "
+          "{\"rotation\", \"translation\"}");
+    }
+  }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
   PoseFactor factor{file, {}, read.field};
@@ -141,14 +152,27 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
   return factor;
 }
 
+constexpr const char* kPoseFields[] = {"position", "rotation",        "target",         "direction",
+                                       "up",       "euler",           "heading",        "pitch",
+                                       "roll",     "worldFromCamera", "cameraFromWorld"};
+
+/// Whether a camera stands anywhere but at the origin.
+bool hasPose(const Json& camera) {
+  const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
+  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
+    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
+  });
+}
+
 /// A camera's document at the product of poses, for the one of each factor or that of a number.
 Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
-  for (const char* field : {"position", "rotation", "target", "direction", "up", "euler", "heading", "pitch", "roll",
-                            "worldFromCamera", "cameraFromWorld"})
-    camera.erase(field);
+  for (const char* field : kPoseFields) camera.erase(field);
   Json poses = Json::array();
-  for (const auto& [file, cameras, field] : factors)
-    poses.push_back(cameras[cameras.size() > 1 ? number : 0].document()[field]);
+  for (const auto& [file, cameras, field] : factors) {
+    const Json pose = cameras[cameras.size() > 1 ? number : 0].document();
+    if (!pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
+    poses.push_back(pose[field]);
+  }
   camera[direction] = poses.size() == 1 ? poses.front() : poses;
   return camera;
 }
@@ -168,12 +192,20 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
                        "; pick one of either");
     several = &factor;
   }
+  const std::string replaced =
+      std::string("its own pose, which ") +
+      (opening.direction == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world") + " replaces";
   const auto moved = [&](const CameraEntry& camera, std::size_t number) {
     return [document = camera.document, factors, number, direction = opening.direction] {
       return atPose(document(), *factors, number, direction);
     };
   };
   if (!several) {
+    result.unread = [unread = result.unread, cameras = result.cameras, replaced](std::size_t which) {
+      std::string names = unread ? unread(which) : "";
+      if (hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
+      return names;
+    };
     for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
     return result;
   }

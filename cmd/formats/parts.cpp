@@ -98,6 +98,18 @@ Json projectionOfK(const Parts& parts) {
   return projection;
 }
 
+/// What --parts takes for a fisheye of a file whose lens has no name.
+std::string fisheyeLine(const Parts& parts) {
+  std::string line = "--parts 'K=" + parts.node("K").path() + ", fisheye=" + parts.node("lens").path();
+  if (parts.has("size")) {
+    line += ", size=";
+    const std::vector<Node>& sides = parts["size"].nodes;
+    for (std::size_t i = 0; i < std::min<std::size_t>(sides.size(), 2); ++i)
+      if (i == 0 || sides.size() == 2) line += (i > 0 ? "+" : "") + sides[i].path();
+  }
+  return line + "'";
+}
+
 /// The coefficients of a lens that the file names.
 void readNamedLens(const Parts& parts, Json& camera) {
   const std::string_view stated = parts.has("model") ? "model" : "isFisheye";
@@ -108,6 +120,7 @@ void readNamedLens(const Parts& parts, Json& camera) {
     return;
   }
   const Node& node = parts.node("lens");
+  if (model.empty() && hasWord(node.path(), "fisheye equidistant")) model = "fisheye";
   if (const auto& named = parts["lens"].named; !named.empty()) return setLens(camera, node, model, named);
   std::vector<double> c = parts.numbers("lens", {});
   if (parts.has("xi")) {
@@ -116,7 +129,8 @@ void readNamedLens(const Parts& parts, Json& camera) {
   } else if (c.size() == 4 && model.empty() && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; })) {
     node.fail(
         "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
-        "\"plumb_bob\" or \"fisheye\"");
+        "\"plumb_bob\" or \"fisheye\"" +
+        (parts.has("K") ? ", or say " + fisheyeLine(parts) : ""));
   }
   setLens(camera, node, model, c);
 }
@@ -331,6 +345,10 @@ std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> part
     for (std::string& star : starsOf(root, paths))
       if (known.insert(star).second) stars.push_back(std::move(star));
   }
+  // "b_to_a" is a pose of b.
+  std::erase_if(stars, [&](const std::string& star) {
+    return known.contains(star.substr(0, star.find("_to_"))) && star.find("_to_") != std::string::npos;
+  });
   if (!starred) stars.emplace_back();
   if (stars.empty()) root.fail(starred->text + ": is not in the file");
   const std::string pattern = names.empty() ? line->segment() : std::string(names);

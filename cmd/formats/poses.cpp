@@ -18,7 +18,8 @@ struct Form {
   std::string_view when;  ///< see claims.hpp
   std::string_view parts;
   std::string_view names = "";
-  bool isDirected = true;
+  bool isDirected = true;  ///< the form has the direction of its parts; else no number tells it
+  bool isAlone = true;     ///< the file holds no more
 };
 constexpr Form kForms[] = {
     {":few !*:K rvec:3|rotation_vector:3|R:3 tvec:3|translation_vector:3|T:3|t:3",
@@ -29,22 +30,39 @@ constexpr Form kForms[] = {
      "name=*.time~, worldFromCamera.translation=*.tx|*.x|*.p_RS_R_x~+*.ty|*.y|*.p_RS_R_y~+*.tz|*.z|*.p_RS_R_z~, "
      "worldFromCamera.quaternion=*.qx|*.q_RS_x~+*.qy|*.q_RS_y~+*.qz|*.q_RS_z~+*.qw|*.q_RS_w~"},
     {":list :M", "worldFromCamera=.", "", false},
-    {":MN", "worldFromCamera=*"},
+    {":MN", "worldFromCamera=*", "", false},
     {":QN", "name=*[0], worldFromCamera.translation=*[1:4], worldFromCamera.quaternion=*[4:8]"},
-    {":list :Q", "name=.[0], worldFromCamera.translation=.[1:4], worldFromCamera.quaternion=.[4:8]"}};
+    {":list :Q", "name=.[0], worldFromCamera.translation=.[1:4], worldFromCamera.quaternion=.[4:8]"},
+    {"rotation:4|orientation:4|quaternion:4 translation:3|position:3",
+     "worldFromCamera.quaternion=rotation|orientation|quaternion, worldFromCamera.translation=translation|position", "",
+     false, false},
+    {"rotation:9 translation:3", "worldFromCamera.rotation=rotation, worldFromCamera.translation=translation", "",
+     false, false},
+    {"rotationVector:3 translation:3",
+     "worldFromCamera.rotationVector=rotationVector, worldFromCamera.translation=translation", "", false, false},
+    {"R:9 T:3|t:3", "cameraFromWorld.rotation=R, cameraFromWorld.translation=T|t", "", true, false}};
 
-/// Where numbers alone stand: at the top, or as the only block of a text.
-std::string_view containerOf(const Node& root) { return holds(root, ":alone #1") ? "#1" : ""; }
+struct Place {
+  const Form* form;  ///< null: the file holds no pose
+  std::string_view container;
+};
 
-const Form* formOf(const Node& root) {
-  const auto* const form = std::find_if(std::begin(kForms), std::end(kForms),
-                                        [&](const Form& each) { return holds(root, each.when, containerOf(root)); });
-  return form == std::end(kForms) ? nullptr : form;
+/// Where the poses of a file stand. areAlone: and nothing else.
+Place placeOf(const Node& root, bool areAlone) {
+  // Numbers alone are at the top, or the only block of a text; ROS has messages in messages.
+  const std::string_view first = holds(root, ":alone #1") ? "#1" : ".";
+  for (const std::string_view each :
+       {first, std::string_view("pose"), std::string_view("transform"), std::string_view("pose.pose")}) {
+    const std::string_view container = each == "." ? "" : each;
+    for (const Form& form : kForms)
+      if ((form.isAlone ? each == first : !areAlone) && holds(root, form.when, container)) return {&form, container};
+  }
+  return {nullptr, ""};
 }
 
 Import open(const Node& root) {
   PosesOfFile file = posesOf(root);
-  if (!file.isDirected || file.poses.cameras.size() == 1)
+  if (file.poses.cameras.size() == 1)
     root.fail(
         "is a pose and has no lens; give it to --world-from-camera or --camera-from-world, beside a lens from -c or "
         "options");
@@ -53,14 +71,13 @@ Import open(const Node& root) {
 
 }  // namespace poses
 
-bool holdsPoses(const Node& root) { return poses::formOf(root) != nullptr; }
+bool holdsPoses(const Node& root) { return poses::placeOf(root, true).form != nullptr; }
 
 PosesOfFile posesOf(const Node& root) {
-  const poses::Form* const form = poses::formOf(root);
-  if (!form)
-    root.fail("holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, or time x y z qx qy qz qw");
+  const auto [form, container] = poses::placeOf(root, false);
+  if (!form) return {};
   PosesOfFile file{
-      {camerasOfParts(root, parseParts(form->parts, "poses", poses::containerOf(root)), {}, form->names)},
+      {camerasOfParts(root, parseParts(form->parts, "poses", container), {}, form->names)},
       form->parts.find("worldFromCamera") == std::string_view::npos ? "cameraFromWorld" : "worldFromCamera",
       form->isDirected};
   file.poses.noun = "pose";

@@ -8,15 +8,14 @@
 namespace viewproj::cmd {
 
 struct PosesOfFile {
-  Import poses;  ///< each a camera without a lens
-  /// "worldFromCamera" or "cameraFromWorld", the field of the pose.
-  std::string field;
-  bool isDirected;  ///< the file's form has this direction; else no number tells it
+  Import poses{};           ///< each a camera without a lens; none if the file is of no form of poses
+  std::string field{};      ///< "worldFromCamera" or "cameraFromWorld"
+  bool isDirected = false;  ///< the file's form has this direction; else no number tells it
 };
 
 /// Whether a file holds poses alone.
 bool holdsPoses(const Node& root);
-/// Throws InputError if it holds none.
+/// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
 
 }  // namespace viewproj::cmd

@@ -38,8 +38,7 @@ namespace {
   "ret rms rms_error rms_err rmse error *_error *_errors *Error *Errors per_view* avg_* mean_* objpoints imgpoints " \
   "obj_points img_points nrow ncol board* square* pattern* grid* image_points flags nframes nr_of_frames "           \
   "calibration_time calibration_date header camera_name sensor_type comment rate_hz fps id calobject* observations " \
-  "perViewErrors standardDeviation* *_gt raw_camera_matrix raw_dist* E F Q newcameramtx new_camera_matrix newmtx "   \
-  "new_K roi map1 map2 mapx mapy depth_scale"
+  "perViewErrors standardDeviation* *_gt raw_camera_matrix raw_dist* E F Q"
 
 #define ROS_SIZE "size?=image_width|width+image_height|height"
 // The calibration of one camera, and the poses of N views of it.
@@ -62,6 +61,8 @@ namespace {
 #define VELODYNE "cameraFromWorld=R0_rect|R_rect?+Tr_velo_to_cam|Tr_velo_cam|Tr"
 #define OPEN3D(P, POSE) \
   "K=" P "intrinsic.intrinsic_matrix^T, size=" P "intrinsic.width+" P "intrinsic.height, cameraFromWorld=" P POSE "^T"
+
+#define RECORD(K) "K=" K ", size=w+h, worldFromCamera.quaternion=poses.*[0:4], worldFromCamera.translation=poses.*[4:7]"
 
 constexpr Row kRows[] = {
     {"ros", "a camera_info of ROS", "camera_matrix|K|k projection_matrix|P:12|p:12",
@@ -95,9 +96,9 @@ constexpr Row kRows[] = {
     {"kitti", "a calibration file of KITTI",
      "P0:12|P1:12|P2:12|P3:12|P_rect_00:12|P_rect_01:12|P_rect_02:12|P_rect_03:12|K_00:9|K_01:9|K_02:9|K_03:9 !R1 "
      "!names",
-     "P_rect_*: P=P_rect_*, size?=S_rect_*\n"
-     "K_*: K=K_*, size?=S_*, distortion?=D_*, cameraFromWorld.rotation?=R_*, cameraFromWorld.translation?=T_*\n"
-     "P*: P=P*\nvelodyne/P*: P=P*, " VELODYNE "\nimu/P*: P=P*, " VELODYNE "+Tr_imu_to_velo|Tr_imu_velo",
+     "P_rect_*: P=P_rect_%, size?=S_rect_%\n"
+     "K_*: K=K_%, size?=S_%, distortion?=D_%, cameraFromWorld.rotation?=R_%, cameraFromWorld.translation?=T_%\n"
+     "P*: P=P%\nvelodyne/P*: P=P%, " VELODYNE "\nimu/P*: P=P%, " VELODYNE "+Tr_imu_to_velo|Tr_imu_velo",
      "calib_time corner_dist S_* R_rect_* P_rect_* K_* D_* R_* T_*"},
     {"euroc", "a sensor.yaml of EuRoC", "intrinsics:4 resolution:2 !cam0",
      "K=intrinsics, size=resolution, lens?=distortion_coefficients|distortion_coeffs, model?=distortion_model, "
@@ -144,6 +145,11 @@ constexpr Row kRows[] = {
      "K=camera.intrinsics, size=camera.image_width+camera.image_height, lens?=camera.distortion.parameters, "
      "model?=camera.distortion.type, worldFromCamera=T_B_C",
      "label imu_params imu_initialization line-delay-nanoseconds", "cameras.*"},
+    {"slam", "", "cam_model=Pinhole|cam_model=PinholeRadialTangential cam_fx",
+     INTRINSICS("cam_") ", size=cam_width+cam_height, distortion=cam_d0+cam_d1+cam_d2+cam_d3, "
+                        "cameraFromWorld.quaternion?=T_cam_body.qx+T_cam_body.qy+T_cam_body.qz+T_cam_body.qw, "
+                        "cameraFromWorld.translation?=T_cam_body.tx+T_cam_body.ty+T_cam_body.tz",
+     "", ". *"},
     {"basalt", "a calib.json of basalt", "T_imu_cam intrinsics",
      INTRINSICS("intrinsics.*.intrinsics.") ", size=resolution.*, "
                                             "lens?=intrinsics.*.intrinsics.#|intrinsics.*.intrinsics.w, "
@@ -182,9 +188,8 @@ constexpr Row kRows[] = {
      INTRINSICS("") ", size=width+height, "
                     "worldFromCamera=t_00+t_01+t_02+t_03+t_10+t_11+t_12+t_13+t_20+t_21+t_22+t_23",
      "timestamp blur_score center_depth neighbors manual_keyframe", "", 0, "RUB"},
-    {"record3d", "cameras of Record3D", "K:9 poses:Nx7",
-     "K=K^T, size=w+h, worldFromCamera.quaternion=poses.*[0:4], worldFromCamera.translation=poses.*[4:7]",
-     "fps perFrameIntrinsicCoeffs initPose dw dh frameTimestamps cameraType", "", 0, "RUB"},
+    {"record3d", "cameras of Record3D", "K:9 poses:Nx7", RECORD("perFrameIntrinsicCoeffs.*") "\n" RECORD("K^T"),
+     "fps initPose dw dh frameTimestamps cameraType", "", 0, "RUB"},
     {"middlebury", "a calib.txt of Middlebury", "cam0:9 cam1:9 baseline",
      "cam0: K=cam0, size=width+height\ncam1: K=cam1, size=width+height" BESIDE("baseline"),
      "doffs ndisp vmin vmax isint dyavg dymax"},
@@ -196,7 +201,7 @@ constexpr Row kRows[] = {
     {"anipose", "a calibration of Anipose", "matrix:9 rotation:3 translation:3",
      "K=matrix, size=size, lens=distortions|distortion, isFisheye?=fisheye, cameraFromWorld.rotationVector=rotation, "
      "cameraFromWorld.translation=translation, name?=name",
-     "metadata name", "*"},
+     "metadata name world_position world_orientation", "*"},
     {"nuscenes", "sensors of nuScenes", "camera_intrinsic rotation:4 translation:3",
      "K=camera_intrinsic, worldFromCamera.quaternionWFirst=rotation, worldFromCamera.translation=translation, "
      "name?=token",
@@ -215,11 +220,11 @@ constexpr Row kRows[] = {
      "*: K=K_*, lens?=dist_*|D_*, model?=model_*, size?=W_*+H_*, cameraFromWorld.rotation?=Rot_*, "
      "cameraFromWorld.translation?=T_*",
      "names R_*", "", 0, "RDF", true},
-    {"neus", "cameras of NeuS", "world_mat_0:16", "*: P=world_mat_*", "scale_mat_* *_inv_*"},
+    {"neus", "cameras of NeuS", "world_mat_0:16", "*: P=world_mat_%", "scale_mat_* *_inv_*"},
     {"camera-path", "a camera_path.json of nerfstudio", "camera_path.*.camera_to_world",
-     "fovY=camera_path.*.fov, size=render_width+render_height, worldFromCamera=camera_path.*.camera_to_world",
-     "keyframes aspect fps seconds smoothness_value is_cycle crop default_fov default_transition_sec camera_type", "",
-     0.5, "RUB"},
+     "fovY=camera_path.*.fov, size=render_width+render_height, worldFromCamera=camera_path.*.camera_to_world, "
+     "model?=camera_type",
+     "keyframes aspect fps seconds smoothness_value is_cycle crop default_fov default_transition_sec", "", 0.5, "RUB"},
     {"visp", "a camera.xml of ViSP", "model",
      "K=model.1.px+model.1.py+model.1.u0+model.1.v0, size=image_width+image_height, distortion=model.1.kud",
      "model additional_information name", "root.camera"},
@@ -246,6 +251,7 @@ constexpr Row kRows[] = {
 #undef STEREO_SIZE
 #undef VELODYNE
 #undef OPEN3D
+#undef RECORD
 
 struct RowLine {
   std::string_view names;

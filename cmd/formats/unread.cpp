@@ -20,17 +20,24 @@ constexpr std::string_view kPoseWords =
     "eye matrix";
 /// One number of a pose, beside the numbers of a camera.
 constexpr std::string_view kPoseNumbers =
-    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa";
+    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa pan tilt";
 constexpr std::string_view kLensWords =
     "dist disto distortion distortions xi alpha skew crop binning offset shift rectif zoom rolling mirror poly "
-    "polynomial tangential radial ftheta fisheye";
+    "polynomial tangential radial ftheta fisheye kappa gamma s prism rotate rotated flip flipped aspect scale resize "
+    "downsample";
+/// Ratios, of which 1 says nothing.
+constexpr std::string_view kRatios = "binning zoom ratio aspect scale downsample gamma resize";
+/// What belongs to pictures that were undistorted or cropped.
+constexpr std::string_view kOfOtherPictures =
+    "newcameramtx newcameramatrix newmtx newk optimalcameramatrix map1 map2 mapx mapy roi";
 /// Pictures that are no pinhole's, as a text or a flag names them.
 constexpr std::string_view kProjections =
     "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic";
+constexpr std::string_view kFlags = "flip flipped mirror mirrored";
 /// Members that no format reads and that say nothing about the picture.
 constexpr std::string_view kKnown =
     "T_imu_body timestamp* time date *_time version* units unit description name id index serial* frame_id seq stamp "
-    "sec nsec class_name comment* license $schema";
+    "sec nsec class_name comment* license $schema depth* *_id *_index *fps exposure* gain iso* *count num_* n_*";
 
 bool areZero(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
@@ -50,8 +57,8 @@ bool isNothing(const std::vector<double>& m) {
 
 bool isCoefficient(std::string_view name) {
   const std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
-  return letters.size() == 2 && (letters[0] == 'k' || letters[0] == 'p' || letters[0] == 's') && letters[1] >= '1' &&
-         letters[1] <= '8';
+  return letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
+         letters[1] >= '1' && letters[1] <= '8';
 }
 
 /// The numbers of a value, or of the first item of a list of them.
@@ -63,11 +70,14 @@ std::vector<double> oneOf(const Node& node, const std::vector<double>& numbers) 
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
+/// Where a member stands: beside one that was read or an object of such, in an object that is beside one, or elsewhere.
+enum class Nearness { far, inside, beside };
+
 struct Left {
   Node node;
   std::vector<double> numbers;
   std::string name;
-  bool isBesideRead;  ///< a member beside one that was read
+  Nearness nearness;
 };
 struct Lists {
   std::vector<Left> left;
@@ -101,13 +111,13 @@ class Unread {
   std::string judge(const std::optional<Node>& own) {
     if (!shared_) {
       Lists lists;
-      walk(Node(*file_), "", 0, false, lists);
+      walk(Node(*file_), "", 0, Nearness::far, lists);
       shared_ = std::move(lists);
     }
     Lists lists;
     if (own) {
       apart_.erase(&own->json());
-      walk(*own, "", 0, false, lists);
+      walk(*own, "", 0, Nearness::far, lists);
       apart_.insert(&own->json());
     }
     constexpr std::size_t kMost = 8;
@@ -124,48 +134,58 @@ class Unread {
                        [&](std::string_view pattern) { return fitsPattern(name, pattern); });
   }
 
-  void walk(const Node& node, std::string_view name, std::size_t depth, bool isBesideRead, Lists& lists) const {
+  /// Whether members or items of it were read one by one.
+  bool isReadInParts(const Json& value) const {
+    return value.is_structured() &&
+           std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(*file_, part, "").isMarked(); });
+  }
+
+  void walk(const Node& node, std::string_view name, std::size_t depth, Nearness nearness, Lists& lists) const {
     constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
     const Json& value = node.json();
     if (depth > 0 && apart_.contains(&value)) return;
-    const bool isRead = node.isMarked();
-    // Members or items of it may have been read one by one.
-    const bool isReadInParts =
-        !isRead && value.is_structured() &&
-        std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(*file_, part, "").isMarked(); });
-    const bool isProjection = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
-                                                : value == true && hasWord(name, kProjections);
-    if (!isRead && isProjection) lists.left.push_back({node, {}, std::string(name), isBesideRead});
-    const bool isNumbers = depth > 0 && !isReadInParts && !value.is_null() && !value.is_boolean() && !value.empty();
-    if (const auto numbers = isNumbers ? numbersIn(value) : std::nullopt) {
+    const bool isRead = node.isMarked(), isInParts = !isRead && isReadInParts(value);
+    const bool isNumbers = depth > 0 && !isInParts && !value.is_null() && !value.is_boolean() && !value.empty();
+    const auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
+    const bool isOfOther = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
+                           : value.is_array()
+                               ? isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers))
+                               : value == true && (hasWord(name, kProjections) || hasWord(name, kFlags));
+    if (!isRead && isOfOther && !value.empty()) lists.left.push_back({node, {}, std::string(name), nearness});
+    if (numbers) {
       if (numbers->size() > kMostNumbers) return;
       if (isRead)
         lists.read.push_back(*numbers);
       else if (!isNothing(*numbers))
-        lists.left.push_back({node, *numbers, std::string(name), isBesideRead});
+        lists.left.push_back({node, *numbers, std::string(name), nearness});
       return;
     }
     if (isRead || depth == kDeepestLevel) return;
-    if (value.is_object())
-      for (const auto& [key, member] : value.items()) {
-        if (!isKnown(key))
-          walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, isReadInParts, lists);
-      }
-    else if (value.is_array() && value.size() <= kMostNumbers)
+    if (value.is_object()) {
+      const bool isBeside = isInParts || std::any_of(value.begin(), value.end(), [&](const Json& part) {
+                              return part.is_object() && isReadInParts(part);
+                            });
+      const Nearness inside = isBeside                       ? Nearness::beside
+                              : nearness == Nearness::beside ? Nearness::inside
+                                                             : Nearness::far;
+      for (const auto& [key, member] : value.items())
+        if (!isKnown(key)) walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, inside, lists);
+    } else if (value.is_array() && value.size() <= kMostNumbers) {
       for (std::size_t i = 0; i < value.size(); ++i)
-        walk(Node(*file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, false, lists);
+        walk(Node(*file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, Nearness::far, lists);
+    }
   }
 
   void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
-    if (hasWord(left.name, kNoise)) return;
+    if (!left.numbers.empty() && hasWord(left.name, kNoise)) return;
     const std::vector<double> m = oneOf(left.node, left.numbers);
     const std::size_t count = m.size();
     const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
     const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
     const bool isPoseNumber =
-        count == 1 && left.isBesideRead && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
+        count == 1 && left.nearness != Nearness::far && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
     if (isPoseNumber ||
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
@@ -174,11 +194,12 @@ class Unread {
           "--parts reads it under any name");
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
-    const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, "binning zoom ratio");
+    const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, kRatios);
     const bool isLens = count == 0 || hasWord(left.name, kLensWords) || isCoefficient(left.name);
     if (isLens && !isOne && count <= 16)
       left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
-    if (count < 3) return;
+    const bool isNumberBeside = count == 1 && left.nearness == Nearness::beside && m.front() != 1;
+    if (count < 3 && !isNumberBeside) return;
     names.push_back(left.node.path());
   }
 

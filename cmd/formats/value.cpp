@@ -14,7 +14,7 @@ namespace {
 /// Objects of numbers whose names have an order.
 constexpr std::string_view kOrders[] = {"x y z w",     "width height", "w h",      "fx fy cx cy",
                                         "qx qy qz qw", "tx ty tz",     "px py pz", "k1 k2 p1 p2 k3 k4 k5 k6",
-                                        "k1 k2 k3 k4"};
+                                        "k1 k2 k3 k4", "u v",          "cx cy",    "fx fy"};
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega rpmax";
 
 std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
@@ -152,6 +152,8 @@ Path parsePath(std::string_view text, std::string_view container, const std::fun
               : text == "." || text.empty()      ? container
               : path.number || container.empty() ? text
                                                  : joinedPath(container, text);
+  path.isNumbered = path.text.find('%') != std::string::npos;
+  if (path.isNumbered) path.text[path.text.find('%')] = '*';
   return path;
 }
 
@@ -249,6 +251,7 @@ bool addPath(const Node& root, const Path& path, std::string_view star, bool isT
   } else {
     auto numbers = node ? numbersIn(node->json()) : std::vector{*path.number};
     if (!numbers) node->fail("expected numbers");
+    if (numbers->empty()) return false;
     for (const Operation& operation : path.operations) numbers = operation(node.value_or(root), *numbers);
     found.numbers.insert(found.numbers.end(), numbers->begin(), numbers->end());
     if (isText && numbers->size() == 1) found.text = formatNumber(numbers->front());
@@ -364,7 +367,9 @@ bool eachStar(const Node& root, std::string_view path, const std::function<bool(
     // Paths only for what has the rest: there may be millions of others.
     bool any = false, goesOn = true;
     const auto tryOut = [&](std::string_view text, const Json& part) {
-      if (part.is_null() || (!rest.empty() && !valueAt(Node(root.document(), part, ""), rest))) return;
+      const auto there = part.is_null() ? std::nullopt : valueAt(Node(root.document(), part, ""), rest);
+      const bool isWord = rest.empty() && part.is_string() && !numbersIn(part);
+      if (!there || isWord || (there->json().is_array() && there->json().empty())) return;
       any = true;
       goesOn = visit(text);
     };
@@ -387,7 +392,7 @@ std::vector<std::string> starsOf(const Node& root, const std::vector<const Path*
   for (const Path* path : paths)
     if (texts.size() < most)
       eachStar(root, path->text, [&](std::string_view text) {
-        texts.emplace_back(text);
+        if (!path->isNumbered || std::all_of(text.begin(), text.end(), isDigit)) texts.emplace_back(text);
         return texts.size() < most;
       });
   std::sort(texts.begin(), texts.end(), isBefore);

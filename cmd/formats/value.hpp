@@ -6,7 +6,8 @@
 //   path  = member { "." member } { "^T" | "/" number | "[" index or slice { "," … } "]" }, or a number
 //
 // A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star. In rows of
-// formats "name~" is the first name that begins so, and a last member "#" the coefficients of a lens by their names.
+// formats "%" is a star of digits, "name~" the first name that begins so, and a last member "#" the coefficients of a
+// lens by their names. Empty lists are absent, and so are texts that a star alone stands for.
 #pragma once
 
 #include <functional>
@@ -36,6 +37,7 @@ struct Path {
   std::vector<Operation> operations{};
   std::optional<double> number{};  ///< if the text is one
   bool isOfCoefficients = false;   ///< text is the object whose members they are
+  bool isNumbered = false;         ///< the star is digits
 };
 struct Term {
   std::vector<Path> paths;
