@@ -54,6 +54,15 @@ Json entryOver(const Document& file, const Json& shared, std::size_t which) {
   return std::move(*whole.root);
 }
 
+/// A camera of options only.
+Import optionsAlone(const CameraPatches& patches) {
+  Import result;
+  result.add("", "", [preset = patches.readAs] {
+    return preset.empty() ? Json::object() : Json{{"convention", preset}};
+  });
+  return result;
+}
+
 /// Whether a text matches a pattern in which * stands for any text.
 bool matches(std::string_view text, std::string_view pattern) {
   std::size_t at = 0, i = 0, star = std::string_view::npos, afterStar = 0;
@@ -103,12 +112,15 @@ bool isCameraDocument(const Json& root) {
 
 Import openCameraDocument(const Document& file) {
   const Json& root = *file.root;
-  if (!isSet(root)) return {{{nameIn(root), ""}}, [file](std::size_t) { return *file.root; }};
   Import result;
-  for (const Json& entry : root[kCameras]) result.cameras.push_back({nameIn(entry), ""});
+  if (!isSet(root)) {
+    result.add(nameIn(root), "", [file] { return *file.root; });
+    return result;
+  }
   const auto shared = std::make_shared<Json>(root);
   shared->erase(kCameras);
-  result.document = [file, shared](std::size_t which) { return entryOver(file, *shared, which); };
+  for (std::size_t i = 0; i < root[kCameras].size(); ++i)
+    result.add(nameIn(root[kCameras][i]), "", [file, shared, i] { return entryOver(file, *shared, i); });
   return result;
 }
 
@@ -121,8 +133,8 @@ void readAs(Document& file, std::string_view preset) {
   convention = name;
 }
 
-CameraSet::CameraSet(std::string name, Import import, CameraPatches patches)
-    : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(import)) {
+CameraSet::CameraSet(std::string name, Import import, CameraPatches patches, std::shared_ptr<const Document> file)
+    : name_(std::move(name)), patches_(std::move(patches)), file_(std::move(file)), import_(std::move(import)) {
   if (import_.cameras.empty()) throw InputError(name_ + ": holds no " + import_.noun);
   for (std::size_t i = 0; i < size(); ++i) {
     names_[import_.cameras[i].name].push_back(i);
@@ -130,13 +142,7 @@ CameraSet::CameraSet(std::string name, Import import, CameraPatches patches)
   }
 }
 
-CameraSet::CameraSet(const CameraPatches& patches)
-    : CameraSet("the command line",
-                {{{}},
-                 [preset = patches.readAs](std::size_t) {
-                   return preset.empty() ? Json::object() : Json{{"convention", preset}};
-                 }},
-                patches) {
+CameraSet::CameraSet(const CameraPatches& patches) : CameraSet("the command line", optionsAlone(patches), patches) {
   isTyped_ = true;
 }
 
@@ -216,7 +222,7 @@ Document CameraSet::document(std::size_t which) const {
   Document document{name_ + (size() > 1 ? "#" + pickOf(which) : ""), std::make_shared<Json>(), isTyped_};
   {
     const std::lock_guard lock(importing_);
-    *document.root = import_.document(which);
+    *document.root = import_.cameras[which].document();
   }
   normalize(document);
   applyPatches(document, patches_.patches);

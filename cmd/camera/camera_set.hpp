@@ -21,23 +21,25 @@ namespace viewproj::cmd {
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty
   std::string id;    ///< a number or a second name, or empty
+  /// Our document of the camera. Throws InputError naming the file's own field. Calls are one at a time.
+  std::function<Json()> document = nullptr;
+  std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
 };
 
 /// The cameras of a file, as a format finds them.
 struct Import {
-  std::vector<CameraEntry> cameras;
-  /// Our document of a camera of the list. Throws InputError naming the file's own field. Calls are one at a
-  /// time.
-  std::function<Json(std::size_t which)> document = nullptr;
-  /// What the file has of this camera alone.
-  std::function<std::optional<Node>(std::size_t which)> own = nullptr;
+  std::vector<CameraEntry> cameras{};
   /// Parts of the file that are of other cameras, or none.
   std::vector<const Json*> apart = {};
-  /// What the format has not read of a camera, for a note; or empty.
+  /// What the format has not read of a camera whose document was made, for a note; or empty.
   std::function<std::string(std::size_t which)> unread = nullptr;
   /// Of bare matrices and of plain text the text, which may be matrices where it makes no camera; null for others.
   std::shared_ptr<const std::string> matricesText = nullptr;
   std::string noun = "camera";  ///< in messages about picks
+
+  void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
+    cameras.push_back({std::move(cameraName), std::move(id), std::move(document), std::move(own)});
+  }
 };
 
 /// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
@@ -65,8 +67,8 @@ void readAs(Document& file, std::string_view preset);
 
 class CameraSet {
  public:
-  /// name: of the file, in messages. Throws InputError for an empty list.
-  CameraSet(std::string name, Import import, CameraPatches patches);
+  /// name: of the file, in messages. file: what the cameras are made of, or null. Throws InputError for an empty list.
+  CameraSet(std::string name, Import import, CameraPatches patches, std::shared_ptr<const Document> file = nullptr);
   /// A camera from options only.
   explicit CameraSet(const CameraPatches& patches);
   CameraSet(const CameraSet&) = delete;
@@ -104,6 +106,7 @@ class CameraSet {
   std::string name_;
   bool isTyped_ = false;
   CameraPatches patches_;
+  std::shared_ptr<const Document> file_;  ///< that the cameras of import_ are read from
   Import import_;
   mutable std::mutex importing_;
   std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each

@@ -62,9 +62,9 @@ std::optional<Json> poseOfText(const std::string& text) {
   if (!place || colon == std::string::npos) return std::nullopt;
   const std::string turn = text.substr(blank + 1);
   Json pose{{"translation", *place}};
-  if (turn.starts_with("quaternion:"))
+  if (turn.starts_with("quaternion:") || turn.starts_with("quat:"))
     pose["rotation"] = listOrObject(turn.substr(turn.find(':') + 1));
-  else if (turn.starts_with("vector:"))
+  else if (turn.starts_with("vector:") || turn.starts_with("rvec:"))
     pose["rotationVector"] = listOrObject(turn.substr(turn.find(':') + 1));
   else
     pose["euler"] = eulerOf(turn);

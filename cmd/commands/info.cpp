@@ -321,7 +321,10 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
   if (!isNothing && (unknown.text.empty() || findMatrices(unknown.text).matrices.empty()))
     return writeProposal(o, proposal);
-  return runMatrices(o, unknown.text, unknown.what());
+  return runMatrices(o, unknown.text,
+                     unknown.file.name +
+                         ": is not a camera file of a known kind, and no numbers in it look like a camera or a matrix; "
+                         "viewproj help formats lists the kinds");
 }
 
 /// A camera file, else what a file that no format claims may be, else matrices, else what is wrong with the file.

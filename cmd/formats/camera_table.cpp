@@ -115,7 +115,7 @@ Json documentOf(const Node& row, const Paths& paths) {
     degrees[static_cast<std::size_t>(at - turns->second.begin())] = numberOf(cell);
     return true;
   };
-  std::vector<std::pair<std::string, double>> coefficients;
+  NamedNumbers coefficients;
   std::string model;
   for (const auto& [column, cell] : row.json().items()) {
     const Node node = *row.find(column);
@@ -143,19 +143,20 @@ Json documentOf(const Node& row, const Paths& paths) {
   Document camera{row.document().name + (row.path().empty() ? "" : ": " + row.path()),
                   std::make_shared<Json>(Json::object())};
   layOver(camera, fields);
-  if (!model.empty() || !coefficients.empty())
-    if (Json lens = lensOf(row, model, coefficients); !lens.is_null()) (*camera.root)["distortion"] = std::move(lens);
+  if (!model.empty() || !coefficients.empty()) setLens(*camera.root, row, model, coefficients);
   return std::move(*camera.root);
 }
 
 Import open(const Node& root) {
-  Import result;
-  for (const Json& row : root.json()) result.cameras.push_back({row.is_object() ? nameOf(row) : "", ""});
-  Paths paths;
+  const auto paths = std::make_shared<Paths>();
   for (const auto& [column, cell] : root.json().front().items())
-    paths.emplace(column, pathOf(column, isOnEarth(root.json().front())));
-  result.document = [root, paths](std::size_t which) { return documentOf(root[which], paths); };
-  result.own = [root](std::size_t which) { return std::optional(root[which]); };
+    paths->emplace(column, pathOf(column, isOnEarth(root.json().front())));
+  Import result;
+  for (std::size_t i = 0; i < root.size(); ++i) {
+    const Node row = root[i];
+    result.add(
+        row.json().is_object() ? nameOf(row.json()) : "", "", [row, paths] { return documentOf(row, *paths); }, row);
+  }
   return result;
 }
 
@@ -231,7 +232,7 @@ Cells cellsOf(const WrittenCamera& camera) {
 }  // namespace table
 
 extern const Format kTable{
-    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, "id", table::recognises};
+    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, table::kNameColumns, table::recognises};
 
 std::vector<WrittenFile> writeTable(std::span<const WrittenCamera> cameras, std::string_view) {
   std::vector<table::Cells> rows;

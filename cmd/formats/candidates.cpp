@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "formats/claims.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/number.hpp"
@@ -16,28 +15,27 @@ namespace {
 constexpr std::size_t kMostCandidates = 20000, kMostItems = 2000, kDeepest = 12;
 
 // The words of each kind's names.
-constexpr std::string_view kOfK = "k m mtx matrix intrinsic intrinsics intr intri kmat camk cammatrix cammtx",
-                           kOfD =
-                               "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs "
-                               "distcoef distcoefs coeff coeffs lens kappa radial dc "
-                               "coef coefs coefficients kc",
-                           kOfS = "size resolution res dimension dimensions shape wh hw image",
-                           kOfR = "r rot rotation rotate rmat rotmat",
-                           kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
-                           kOfQ = "q quat quaternion quaternions orientation rotation qvec rot",
-                           kOfT = "t tvec tvecs trans translation translations translate tc",
-                           kOfE = "position pos center centre eye origin location loc",
-                           kOfX =
-                               "t tf tr rt transform transformation extrinsic extrinsics extr pose poses rig view "
-                               "world toworld cam camera body w2c c2w bs sc "
-                               "imu lidar velo matrix ext tcl tlc tcw twc",
-                           kOfP = "p projection proj",
-                           kBoxes =
-                               "camera cameras cam cams calibration calib calibrations param params parameters data "
-                               "value values info config settings "
-                               "sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic "
-                               "intrinsics pose poses frame frames "
-                               "calibrated perspective cv mode projection transform the of to from image images img";
+constexpr std::string_view
+    kOfK = "k m mtx matrix intrinsic intrinsics intr intri kmat camk cammatrix cammtx",
+    kOfD =
+        "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs distcoef distcoefs coeff "
+        "coeffs lens kappa radial dc coef coefs coefficients kc",
+    kOfS = "size resolution res dimension dimensions shape wh hw image", kOfR = "r rot rotation rotate rmat rotmat",
+    kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
+    kOfQ = "q quat quaternion quaternions orientation rotation qvec rot",
+    kOfT = "t tvec tvecs trans translation translations translate tc",
+    kOfE = "position pos center centre eye origin location loc",
+    kOfX =
+        "t tf tr rt transform transformation extrinsic extrinsics extr pose poses rig view world toworld cam camera "
+        "body w2c c2w bs sc imu lidar velo matrix ext tcl tlc tcw twc",
+    kOfP = "p projection proj";
+/// What other words say nothing of which camera a part is of.
+constexpr std::string_view kBoxes =
+    "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
+    "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
+    "frames calibrated perspective cv mode projection transform the of to from image images img p w h fx fy cx cy f "
+    "fov "
+    "width height vec";
 
 struct ScalarNames {
   std::string_view kind, names;
@@ -58,52 +56,81 @@ constexpr ScalarNames kScalars[] = {
     {"fovX", "cameraanglex fovx xfov hfov horizontalfov fovhorizontal fovh fovdegrees"},
     {"fov", "fov fieldofview floatfov fovdeg"},
     {"k1", "k1 kud"},
-    {"k2", "k2"},
-    {"k3", "k3"},
-    {"k4", "k4"},
-    {"k5", "k5"},
-    {"k6", "k6"},
-    {"p1", "p1"},
-    {"p2", "p2"},
     {"gx", "px mu gamma1"},
-    {"gy", "py mv gamma2"},
-    {"pz", "pz"},
-    {"x", "x"},
-    {"y", "y"},
-    {"z", "z"},
-    {"tx", "tx"},
-    {"ty", "ty"},
-    {"tz", "tz"},
-    {"qx", "qx"},
-    {"qy", "qy"},
-    {"qz", "qz"},
-    {"qw", "qw"},
-    {"r11", "r11"},
-    {"r12", "r12"},
-    {"r13", "r13"},
-    {"r21", "r21"},
-    {"r22", "r22"},
-    {"r23", "r23"},
-    {"r31", "r31"},
-    {"r32", "r32"},
-    {"r33", "r33"},
-};
+    {"gy", "py mv gamma2"}};
+/// Those that are called as the kind is.
+constexpr std::string_view kPlainScalars =
+    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33";
 
 std::string_view scalarOf(std::string_view letters) {
-  for (const ScalarNames& scalar : kScalars)
-    if (isAmong(letters, scalar.names)) return scalar.kind;
-  return "";
+  for (const auto& [kind, names] : kScalars)
+    if (isAmong(letters, names)) return kind;
+  return isAmong(letters, kPlainScalars) ? letters : "";
 }
+
+bool areAll(const std::vector<double>& numbers, bool (*fits)(double)) {
+  return std::all_of(numbers.begin(), numbers.end(), fits);
+}
+bool isK(const std::vector<double>& m) { return isIntrinsic(m) && m[2] > 0 && std::fabs(m[1]) < 0.01 * m[0]; }
+bool isKByColumns(const std::vector<double>& m) { return m.size() == 9 && isK(transposed(m, 3)); }
+bool isRigidByColumns(const std::vector<double>& m) { return m.size() == 16 && isRigid(transposed(m, 4)); }
+bool isTaken(const std::vector<double>& m) { return isProjection(m, 10); }
+bool isTurn(const std::vector<double>& v) {
+  return areAll(v, [](double x) { return std::fabs(x) < 7; });
+}
+bool isAny(const std::vector<double>&) { return true; }
+bool isUnit(const std::vector<double>& q) {
+  return std::fabs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-3;
+}
+bool isFourOfK(const std::vector<double>& k) {
+  return areAll(k, [](double x) { return x > 20; }) && k[0] / k[1] > 0.2 && k[0] / k[1] < 5;
+}
+bool isLens(const std::vector<double>& d) {
+  return areAll(d, [](double x) { return std::fabs(x) < 1e5; });
+}
+bool isSize(const std::vector<double>& s) {
+  return areAll(s, [](double x) { return x == std::floor(x) && x >= 16 && x <= 65535; });
+}
+bool isFocalPair(const std::vector<double>& f) { return f[0] > 5 && f[1] > 5; }
+bool isCentre(const std::vector<double>& c) { return c[0] > 0 && c[1] > 0; }
+
+/// A kind of part by its numbers and its name. Of those that are whole matrices the first that fits counts.
+struct Look {
+  std::string_view kind, counts;
+  bool (*fits)(const std::vector<double>& numbers);
+  std::string_view words;                              ///< of its names
+  double score = 0;                                    ///< without a name
+  enum Needs { numbers, name, letters } needs = name;  ///< letters: they are all of the name
+  std::string_view also = "", excluded = "";           ///< other words
+  bool mayBeObject = true;
+  std::string_view suffix = "";
+};
+constexpr Look kLooks[] = {{"K", "9", isK, kOfK, 1, Look::numbers, "", "", false},
+                           {"K", "9", isKByColumns, kOfK, 1, Look::numbers, "", "", false, "^T"},
+                           {"R", "9", isRotation, kOfR, 0, Look::numbers, "", "", false},
+                           {"K", "12 16", isK, kOfK, 0, Look::numbers, "p projection"},
+                           {"X", "12 16", isRigid, kOfX, 1, Look::numbers},
+                           {"P", "12 16", isTaken, kOfP, 1, Look::numbers},
+                           {"X", "16", isRigidByColumns, kOfX, 1, Look::numbers, "", "", true, "^T"},
+                           {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix"},
+                           {"T", "3", isAny, kOfT},
+                           {"E", "3", isAny, kOfE},
+                           {"direction", "3", isAny, "direction dir forward lookdir"},
+                           {"target", "3", isAny, "target lookat look"},
+                           {"Q", "4", isUnit, kOfQ},
+                           {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
+                           {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "", false},
+                           {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
+                           {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
+                           {"C", "2", isCentre, "cc principalpoint pp center c", 0, Look::letters}};
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 
-/// Words that say what a part is.
-const std::string& kindWords() {
-  static const std::string kWords = std::string(kOfK) + " " + std::string(kOfD) + " " + std::string(kOfS) + " " +
-                                    std::string(kOfR) + " " + std::string(kOfV) + " " + std::string(kOfQ) + " " +
-                                    std::string(kOfT) + " " + std::string(kOfE) + " " + std::string(kBoxes) +
-                                    " p w h fx fy cx cy f fov width height vec";
-  return kWords;
+/// Whether a word says what a part is, and not which camera it is of.
+bool isKindWord(std::string_view word) {
+  for (const std::string_view words : {kOfK, kOfD, kOfS, kOfR, kOfV, kOfQ, kOfT, kOfE, kBoxes})
+    if (isAmong(word, words)) return true;
+  return false;
 }
 
 /// A path that --parts can name.
@@ -129,77 +156,53 @@ class Finder {
     found_.push_back(std::make_shared<Candidate>(Candidate{kind, steps, std::move(numbers), name, std::move(suffix)}));
   }
 
+  /// The numbers of a value, or those of an object of numbers in no order.
+  static std::optional<std::vector<double>> partsOf(const Json& value) {
+    if (auto numbers = numbersIn(value)) return numbers;
+    constexpr std::size_t kLeast = 3, kMost = 7;
+    if (!value.is_object() || value.size() < kLeast || value.size() > kMost) return std::nullopt;
+    std::vector<double> numbers(kMost + 1);  // a count that no kind has
+    for (const Json& member : value) {
+      if (!member.is_number()) return std::nullopt;
+      numbers.front() = numbers.front() != 0 ? numbers.front() : member.get<double>();
+    }
+    return numbers;
+  }
+
   void look(std::string_view key, const Json& value, const std::vector<std::string>& steps) {
-    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : numbersIn(value);
+    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : partsOf(value);
     constexpr std::size_t kMost = 17;
     if (!numbers || numbers->empty() || numbers->size() > kMost) return;
     const std::vector<double>& n = *numbers;
-    for (const double number : n)
-      if (!std::isfinite(number)) return;
+    if (!areAll(n, [](double number) { return std::isfinite(number); })) return;
     const std::string letters = lettersOf(key);
     if (n.size() == 1) {
-      std::string bare = letters;
-      while (!bare.empty() && isDigit(bare.back())) bare.pop_back();
+      const std::string_view bare = std::string_view(letters).substr(0, letters.find_last_not_of("0123456789") + 1);
       if (const std::string_view kind = scalarOf(letters); !kind.empty())
         add(std::string(kind), steps, n, 2);
       else if (const std::string_view other = scalarOf(bare); isAmong(other, "w h fx fy cx cy"))
         add(std::string(other), steps, n, 1);
       return;
     }
-    const auto score = [&](std::string_view words) {
-      return (hasWord(key, words) ? 2 : 0) - (hasWord(key, kNoise) ? 3 : 0);
-    };
-    const bool isObject = value.is_object();
-    const auto isK = [](const std::vector<double>& m) {
-      return isIntrinsic(m) && m[2] > 0 && std::fabs(m[1]) < 0.01 * m[0];
-    };
-    if (n.size() == 9 && !isObject) {
-      if (isK(n))
-        add("K", steps, n, 1 + score(kOfK));
-      else if (isK(transposed(n)))
-        add("K", steps, transposed(n), 1 + score(kOfK), "^T");
-      else if (isRotation(n))
-        add("R", steps, n, score(kOfR));
+    const double noise = hasWord(key, kNoise) ? -3 : 0;
+    const std::string count = std::to_string(n.size());
+    const std::size_t before = found_.size();
+    bool isMatrix = false;
+    for (const Look& look : kLooks) {
+      const bool isOf = look.needs == Look::letters ? isAmong(letters, look.words) : hasWord(key, look.words);
+      const bool isAlso = hasWord(key, look.also), isWhole = look.needs == Look::numbers;
+      const bool mayBe = isOf || isAlso || isWhole || (look.kind == "Q" && value.is_object());
+      if (!mayBe || !isAmong(count, look.counts) || (isWhole && isMatrix) || (value.is_object() && !look.mayBeObject) ||
+          hasWord(key, look.excluded) || !look.fits(n))
+        continue;
+      isMatrix = isMatrix || isWhole;
+      const bool isNamed = isOf || (isAlso && isWhole);
+      const bool isPlain = look.needs == Look::letters || isAmong(look.kind, "direction target");
+      add(std::string(look.kind), steps, look.kind == "K" && !look.suffix.empty() ? transposed(n, 3) : n,
+          look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
+      found_.back()->isOrdered = value.is_object();
     }
-    if (n.size() == 12 || n.size() == 16) {
-      if (isK(n))
-        add("K", steps, n, score(std::string(kOfK) + " p projection"));
-      else if (isRigid(n))
-        add("X", steps, n, 1 + score(kOfX));
-      else if (isProjection(n, 10))
-        add("P", steps, n, 1 + score(kOfP));
-      else if (n.size() == 16 && isRigid(transposed(n)))
-        add("X", steps, n, 1 + score(kOfX), "^T");
-    }
-    if (n.size() == 3) {
-      if (hasWord(key, kOfV) && !hasWord(key, "matrix") &&
-          std::all_of(n.begin(), n.end(), [](double x) { return std::fabs(x) < 7; }))
-        add("V", steps, n, score(kOfV));
-      if (hasWord(key, kOfT)) add("T", steps, n, score(kOfT));
-      if (hasWord(key, kOfE)) add("E", steps, n, score(kOfE));
-      if (hasWord(key, "direction dir forward lookdir")) add("direction", steps, n, 2);
-      if (hasWord(key, "target lookat look")) add("target", steps, n, 2);
-    }
-    if (n.size() == 4) {
-      const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3];
-      if (std::fabs(square - 1) < 1e-3 && (hasWord(key, kOfQ) || isObject)) add("Q", steps, n, score(kOfQ));
-      if (n[0] > 20 && n[1] > 20 && n[2] > 20 && n[3] > 20 && n[0] / n[1] > 0.2 && n[0] / n[1] < 5 && !isObject &&
-          hasWord(key, std::string(kOfK) + " projection parameters proj"))
-        add("K", steps, n, score(kOfK) - 1);
-    }
-    const bool isList =
-        n.size() == 2 || n.size() == 4 || n.size() == 5 || n.size() == 8 || n.size() == 12 || n.size() == 14;
-    if (isList && hasWord(key, kOfD) && !isObject &&
-        std::all_of(n.begin(), n.end(), [](double x) { return std::fabs(x) < 1e5; }))
-      add("D", steps, n, score(kOfD));
-    if (n.size() == 2) {
-      const auto isSide = [](double x) { return x == std::floor(x) && x >= 16 && x <= 65535; };
-      if (isSide(n[0]) && isSide(n[1]) && hasWord(key, kOfS) &&
-          !hasWord(key, "sensor crop window grid board pattern chess"))
-        add("S", steps, n, score(kOfS));
-      if (isAmong(letters, "fc focal focallength f") && n[0] > 5 && n[1] > 5) add("F", steps, n, 2);
-      if (isAmong(letters, "cc principalpoint pp center c") && n[0] > 0 && n[1] > 0) add("C", steps, n, 2);
-    }
+    if (found_.size() == before && n.size() > 2 && noise == 0) add("?", steps, n, 0);
   }
 
   /// The name that says what a value is: of an item of a list the list's, of "coefficients" the one above.
@@ -265,9 +268,8 @@ class Finder {
 
   static bool isKindOnly(const std::string& text) {
     const std::vector<std::string> words = wordsOf(text);
-
     return !words.empty() && !isDigits(text) && text != "L" && text != "R" && text != "l" && text != "r" &&
-           std::all_of(words.begin(), words.end(), [&](const std::string& word) { return isAmong(word, kindWords()); });
+           std::all_of(words.begin(), words.end(), isKindWord);
   }
 
   void addStars() {
@@ -282,6 +284,7 @@ class Finder {
       for (std::size_t i = 0; i < each->steps.size(); ++i)
         for (const auto& [form, text] : templatesOf(each->steps[i])) {
           const bool isPose = isAmong(each->kind, "X R V Q T");
+          if (each->kind == "?") continue;
           if (isKindOnly(text) || hasWord(text, kNoise)) continue;
           if (isPose && (each->steps[i].find("_to_") != std::string::npos) &&
               (form != "*" || i + 1 == each->steps.size()))
@@ -342,7 +345,7 @@ std::vector<std::string> findTag(const Candidate& candidate) {
                                                  : "";
     }
     for (std::string& word : wordsOf(step))
-      if (!isAmong(word, kindWords()) && (candidate.isStarred() || candidate.steps.size() > 1 || !isDigits(word)))
+      if (!isKindWord(word) && (candidate.isStarred() || candidate.steps.size() > 1 || !isDigits(word)))
         tag.push_back(std::move(word));
   }
   std::sort(tag.begin(), tag.end());

@@ -11,7 +11,8 @@
 namespace viewproj::cmd {
 
 /// kind: K P X (a pose) R V Q (turns) T E (a translation, an eye) D S F C (focal lengths, a centre), or the name of a
-/// scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z.
+/// scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z. "?": 3 to 16 numbers that are none of
+/// these.
 struct Candidate {
   std::string kind;
   std::vector<std::string> steps;  ///< of the path
@@ -21,6 +22,7 @@ struct Candidate {
   /// Of several of a kind whose paths differ in one step, or a part of it, at that step: by the text that differs.
   std::map<std::string, std::shared_ptr<const Candidate>> star{};
   std::size_t at = 0;
+  bool isOrdered = false;                                 ///< an object, whose names tell which number is which
   std::vector<std::shared_ptr<const Candidate>> terms{};  ///< of scalars that stand one after the other
   std::vector<std::string> tag{};  ///< words of the path that say which camera it is of, and not what it is
 

@@ -1,6 +1,7 @@
 #include "formats/claims.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "formats/value.hpp"
@@ -31,17 +32,52 @@ bool isFocal(const std::vector<double>& n) {
   return n.size() >= 4 && n[0] > kLeastFocal && n[1] > kLeastFocal && n[2] > 0 && n[3] > 0 && !isIntrinsic(n);
 }
 
+bool isLost(const std::vector<double>& m) {
+  return std::any_of(m.begin(), m.end(), [](double number) { return !std::isfinite(number); });
+}
+
+bool isTimedPose(const std::vector<double>& n) {
+  constexpr double kTolerance = 2e-3;
+  return n.size() == 8 &&
+         (isLost(n) || std::fabs(n[4] * n[4] + n[5] * n[5] + n[6] * n[6] + n[7] * n[7] - 1) < kTolerance);
+}
+
+bool isPose(const std::vector<double>& m) {
+  return isRigid(m) || ((m.size() == 12 || m.size() == 16) && isLost(m) && !isIntrinsic(m));
+}
+
+/// Rows of a kind. Some rows, but not all, may be of poses that are lost.
+bool areRows(const Json& value, bool (*isOne)(const std::vector<double>&)) {
+  if (!value.is_array() || value.empty()) return false;
+  std::size_t count = 0;
+  for (const Json& row : value) {
+    const auto numbers = row.is_array() ? numbersIn(row) : std::nullopt;
+    if (!numbers || (count != 0 && numbers->size() != count)) return false;
+    count = numbers->size();
+  }
+  for (const Json& row : value)
+    if (const auto numbers = numbersIn(row); !isLost(*numbers)) return isOne(*numbers);
+  return false;
+}
+
 bool hasShape(const Json& value, std::string_view shape) {
   if (shape == "list") return value.is_array();
   if (shape == "object") return value.is_object();
+  if (shape == "alone") return value.is_object() && value.size() == 1;
+  if (shape == "few") return value.is_object() && value.size() <= 3;
   if (shape == "text") return value.is_string();
   if (shape == "PN")
     return value.is_array() && value.size() > 1 &&
            std::all_of(value.begin(), value.end(), [](const Json& row) { return hasShape(row, "P"); });
+  if (shape == "MN") return areRows(value, isPose);
+  if (shape == "QN") return areRows(value, isTimedPose);
   const auto numbers = numbersIn(value);
   if (!numbers || numbers->empty()) return false;
   const std::vector<std::size_t> dimensions = shapeOf(value);
   if (shape == "P") return isProjection(*numbers, kLeastFocal) && !(numbers->size() == 16 && isIntrinsic(*numbers));
+  if (shape == "K") return isIntrinsic(*numbers);
+  if (shape == "M") return (dimensions.size() == 1 || dimensions[1] == 4) && isPose(*numbers);
+  if (shape == "Q") return dimensions.size() == 1 && isTimedPose(*numbers);
   const std::size_t count = countIn(shape.substr(shape.find_first_of("0123456789")));
   if (shape[0] == 'K') return dimensions == std::vector{count, count} && isIntrinsic(*numbers);
   if (shape[0] == 'L') return dimensions.size() == 1 && numbers->size() == count;
@@ -85,18 +121,6 @@ bool holdsChoice(const Node& root, std::string_view choice, std::string_view con
 }
 
 }  // namespace
-
-bool isIntrinsic(const std::vector<double>& n) {
-  if (n.size() != 9 && n.size() != 12 && n.size() != 16) return false;
-  const std::size_t columns = n.size() == 9 ? 3 : 4;
-  const auto at = [&](std::size_t i, std::size_t j) { return n[i * columns + j]; };
-  constexpr double kLeast = 5;
-  if (!(at(0, 0) > kLeast && at(1, 1) > kLeast) || at(1, 0) != 0 || at(2, 0) != 0 || at(2, 1) != 0 || at(2, 2) != 1)
-    return false;
-  for (std::size_t i = 0; columns == 4 && i < 3; ++i)
-    if (at(i, 3) != 0) return false;
-  return n.size() != 16 || (n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1);
-}
 
 bool holds(const Node& root, std::string_view conditions, std::string_view container) {
   while (!conditions.empty()) {

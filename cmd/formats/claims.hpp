@@ -2,9 +2,11 @@
 //
 //   condition = [ "!" ] choice { "|" choice }      "!": none of the choices holds
 //   choice    = path [ "=" text ] [ ":" shape { "/" shape } ]
-//   shape     = 9 (numbers) | 3x3 | Nx17 (rows of) | L26 (one row of) | list | object | text
-//             | K3, K4 (a K of 3 or 4 rows) | F8 (one row that begins with two focal lengths)
-//             | P (a matrix K [R | t]) | PN (several)
+//   shape     = 9 (numbers) | 3x3 | Nx17 (rows of) | L26 (one row of) | list | object | alone (an object of one member)
+//             | few (of three at most) | text
+//             | K (numbers of one), K3, K4 (of 3 or 4 rows) | F8 (one row that begins with two focal lengths)
+//             | P (a matrix K [R | t]) | M (a pose of 3 or 4 rows) | Q (a time, a place and a unit quaternion)
+//             | PN, MN, QN (several)
 //
 // A star is any member. Paths are those of a part (value.hpp).
 #pragma once
@@ -17,8 +19,5 @@ namespace viewproj::cmd {
 
 /// container: what stands in front of every path, except those that begin with "/".
 bool holds(const Node& root, std::string_view conditions, std::string_view container = "");
-
-/// Whether these are numbers of a K by rows: 3 rows of 3, or 3 or 4 rows of 4 with a fourth column of zeros.
-bool isIntrinsic(const std::vector<double>& numbers);
 
 }  // namespace viewproj::cmd

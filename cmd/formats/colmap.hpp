@@ -5,11 +5,37 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "camera/camera_set.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
+
+struct ColmapModel {
+  std::string_view name;
+  std::size_t focalLengths, coefficients;  ///< cx and cy stand between them
+  std::string_view lens;                   ///< see setLens(); "-": not supported
+};
+/// In the order of their numbers in binary files. The coefficients are in the order of the lens.
+inline constexpr ColmapModel kColmapModels[] = {{"SIMPLE_PINHOLE", 1, 0, ""},
+                                                {"PINHOLE", 2, 0, ""},
+                                                {"SIMPLE_RADIAL", 1, 1, "radial"},
+                                                {"RADIAL", 1, 2, "radial"},
+                                                {"OPENCV", 2, 4, "opencv"},
+                                                {"OPENCV_FISHEYE", 2, 4, "fisheye"},
+                                                {"FULL_OPENCV", 2, 8, "opencv"},
+                                                {"FOV", 2, 1, "fov"},
+                                                {"SIMPLE_RADIAL_FISHEYE", 1, 1, "fisheye"},
+                                                {"RADIAL_FISHEYE", 1, 2, "fisheye"},
+                                                {"THIN_PRISM_FISHEYE", 2, 8, "-"},
+                                                {"RAD_TAN_THIN_PRISM_FISHEYE", 2, 12, "-"},
+                                                {"SIMPLE_DIVISION", 1, 1, "-"},
+                                                {"DIVISION", 2, 1, "-"},
+                                                {"SIMPLE_FISHEYE", 1, 0, "fisheye"},
+                                                {"FISHEYE", 2, 0, "fisheye"},
+                                                {"EUCM", 2, 2, "eucm"},
+                                                {"EQUIRECTANGULAR", 0, 0, "-"}};
 
 /// A folder of a reconstruction, or one of its files; the folder with the model: the folder itself, sparse/0 or 0 in
 /// it. Nothing if it is none.

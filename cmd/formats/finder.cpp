@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "camera/fields.hpp"
 #include "formats/candidates.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
@@ -17,11 +18,6 @@ namespace {
 using Chosen = std::shared_ptr<const Candidate>;
 
 bool isPoseKind(std::string_view kind) { return isAmong(kind, "X R V Q T E"); }
-
-std::string lowered(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
 
 bool includes(const std::vector<std::string>& all, const std::vector<std::string>& some) {
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
@@ -148,51 +144,38 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
   }
 }
 
+constexpr std::string_view
+    kToWorld =
+        "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
+        "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
+        "cam_to_base cam_to_lidar cam_to_vehicle camera_to_lidar matrix_world cameraextrinsicmat",
+    kToCamera =
+        "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
+        "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
+        "velo_to_cam velo2cam _to_cam cam_from_rig",
+    kOfNerf = "transform_matrix matrix_world camera_to_world", kFisheye = "fisheye equidistant kannala \"kb4\"";
+
+/// Whether a text has one of these in it.
+bool hasPart(std::string_view text, std::string_view parts) {
+  const std::vector<std::string_view> all = wordsIn(parts);
+  return std::any_of(all.begin(), all.end(),
+                     [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
+}
+
+bool shares(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const std::string& word) { return std::find(b.begin(), b.end(), word) != b.end(); });
+}
+
 /// Which way a pose goes, by its name; or empty.
 std::string directionOf(const Candidate& pose, const Candidate* lens) {
   const std::string path = lowered(pose.path());
-  const auto has = [&](std::initializer_list<std::string_view> marks) {
-    return std::any_of(marks.begin(), marks.end(),
-                       [&](std::string_view mark) { return path.find(mark) != std::string::npos; });
-  };
-  if (has({"c2w",
-           "cam2world",
-           "camera2world",
-           "cam_to_world",
-           "camera_to_world",
-           "toworld",
-           "world_from_cam",
-           "t_wc",
-           "t_bs",
-           "t_sc",
-           "transform_matrix",
-           "t_world_cam",
-           "t_imu_cam",
-           "t_body_cam",
-           "t_w_cam",
-           "t_lidar_cam",
-           "cam_to_imu",
-           "cam_to_body",
-           "cam_to_base",
-           "cam_to_lidar",
-           "cam_to_vehicle",
-           "camera_to_lidar",
-           "matrix_world"}))
-    return "worldFromCamera";
-  if (const auto toward = towardOf(pose); toward && lens) {
-    const std::vector<std::string> tag = lens->tag;
-    const auto shares = [&](const std::vector<std::string>& words) {
-      return std::any_of(words.begin(), words.end(),
-                         [&](const std::string& word) { return std::find(tag.begin(), tag.end(), word) != tag.end(); });
-    };
-    if (shares(toward->second) && !shares(toward->first)) return "cameraFromWorld";
-  }
-  if (has({"extrinsic",         "w2c",         "world2cam",   "world_to_cam", "worldtocam", "cam_from_world",
-           "camera_from_world", "viewmatrix",  "view_matrix", "t_cw",         "t_cam_imu",  "t_cam_body",
-           "t_cam_world",       "t_cam_lidar", "t_cam_velo",  "lidar_to_cam", "lidar2cam",  "velo_to_cam",
-           "velo2cam",          "_to_cam",     "cam_from_rig"}))
-    return "cameraFromWorld";
-  return "";
+  if (hasPart(path, kToWorld)) return "worldFromCamera";
+  const auto toward = lens ? towardOf(pose) : std::nullopt;
+  if (toward && shares(toward->second, lens->tag) && !shares(toward->first, lens->tag)) return "cameraFromWorld";
+  // Vehicles' files give extrinsics with quaternions, of either direction.
+  const bool isUnclear = pose.kind == "Q" && hasPart(path, "extrinsic");
+  return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";
 }
 
 struct Line {
@@ -243,9 +226,7 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
 void putPose(Line& line, const Match& match, const Candidate* lens) {
   const Chosen& turn = match.parts.front();
   std::string direction = directionOf(*turn, lens);
-  const std::string path = lowered(turn->path());
-  line.isNerf = path.find("transform_matrix") != std::string::npos || path.find("matrix_world") != std::string::npos ||
-                path.find("camera_to_world") != std::string::npos;
+  line.isNerf = hasPart(lowered(turn->path()), kOfNerf);
   if (match.parts.size() > 1) {
     const Chosen& place = match.parts.back();
     const bool isOpenCv =
@@ -255,12 +236,13 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
       line.ask.push_back(turn->path() + ", " + place->path() +
                          ": taken as camera from world, as solvePnP and calibrateCamera return them");
     }
-    const bool isWFirst = turn->kind == "Q" && turn->terms.empty() && std::fabs(turn->numbers.front()) > 0.9;
+    const bool isWFirst =
+        turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered && std::fabs(turn->numbers.front()) > 0.9;
     const std::string form = turn->kind == "R"   ? "rotation"
                              : turn->kind == "V" ? "rotationVector"
                              : isWFirst          ? "quaternionWFirst"
                                                  : "quaternion";
-    if (turn->kind == "Q" && turn->terms.empty())
+    if (turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered)
       line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
     const std::string pose = direction.empty() ? "pose" : direction;
     line.add(pose + "." + form, {turn}, match.score / 2);
@@ -315,7 +297,7 @@ void putSize(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
 }
 
 void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxes, bool isFisheye) {
-  constexpr std::string_view kFisheye = "fisheye equidistant kb4 kannalabrandt kannala brandt equi";
+  constexpr std::string_view kFisheyeWords = "fisheye equidistant kb4 kannalabrandt kannala brandt equi";
   const auto list = bestOf(*line.first, all, "D");
   const Scalars* named = nullptr;
   double score = list ? list->score : 0;
@@ -327,10 +309,10 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
       score = *near;
     }
   }
-  const bool isFish = isFisheye || hasWord(line.first->path(), kFisheye);
+  const bool isFish = isFisheye || hasWord(line.first->path(), kFisheyeWords);
   if (!named && list) {
     const Chosen& d = list->parts.front();
-    const bool isFour = d->numbers.size() == 4, isF = isFour && (isFish || hasWord(d->path(), kFisheye));
+    const bool isFour = d->numbers.size() == 4, isF = isFour && (isFish || hasWord(d->path(), kFisheyeWords));
     line.add(isF ? "fisheye" : "distortion", list->parts, list->score);
     if (isFour && !isF)
       line.ask.push_back(d->path() +
@@ -352,6 +334,21 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
   }
   k = together(*named, {"k1", "k2"});
   line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
+}
+
+/// What may be wrong with a lens that begins with these coefficients.
+void askAboutLens(Line& line, const Candidate& lens, const Candidates& all, std::string_view text) {
+  constexpr double kLeast = 1e-6;
+  if (const double k1 = std::fabs(lens.numbers.front()); k1 > 0 && k1 < kLeast)
+    line.ask.push_back(lens.path() + ": so small that it may count pixels; k1 here is of focal lengths, f^2 as large");
+  if (text.find("inverse brown") != std::string_view::npos || text.find("inverse_brown") != std::string_view::npos)
+    line.ask.push_back(lens.path() + ": of an inverse Brown-Conrady lens, as the file says, which parts cannot say");
+  for (const Chosen& other : all)
+    if (other->kind == "K" && other != line.first && hasWord(other->steps.back(), "original raw distorted") &&
+        !hasWord(line.first->steps.back(), "original raw distorted") &&
+        std::equal(other->steps.begin(), other->steps.end() - 1, line.first->steps.begin(),
+                   line.first->steps.end() - 1))
+      line.ask.push_back(other->path() + ": this K may be the one that the distortion goes with");
 }
 
 /// The lines that begin with a lens.
@@ -420,12 +417,7 @@ void sharePoses(std::vector<Line>& lines) {
         if (!isRival) continue;
         ++rivals;
         const auto toward = towardOf(*pose);
-        const std::vector<std::string> tag = other.first->tag;
-        const bool isTarget =
-            toward && std::any_of(tag.begin(), tag.end(), [&](const std::string& word) {
-              return std::find(toward->second.begin(), toward->second.end(), word) != toward->second.end();
-            });
-        if (isTarget || !owner || !towardOf(*pose)) owner = &other;
+        if (!owner || !toward || shares(other.first->tag, toward->second)) owner = &other;
       }
       if (rivals > 1 && owner != &line) {
         line.ask.push_back(pose->path() + ": one pose for " + std::to_string(rivals) +
@@ -440,14 +432,17 @@ void sharePoses(std::vector<Line>& lines) {
 std::vector<Line> linesOf(const Document& file, const Candidates& all, const std::vector<Scalars>& boxes) {
   std::vector<Line> lines = lensLines(all, boxes);
   const std::string text = lowered(file.root->dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 1 << 16));
-  const bool isFisheye = text.find("fisheye") != std::string::npos || text.find("equidistant") != std::string::npos ||
-                         text.find("kannala") != std::string::npos || text.find("\"kb4\"") != std::string::npos;
+  const bool isFisheye = hasPart(text, kFisheye);
   for (Line& line : lines) {
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
                                         hasWord(line.first->steps.back(), "p projection rect rectified"));
-    if (!isFlat) putLens(line, all, boxes, isFisheye);
+    if (!isFlat) {
+      const std::size_t before = line.used.size();
+      putLens(line, all, boxes, isFisheye);
+      if (line.used.size() > before) askAboutLens(line, *line.used[before], all, text);
+    }
     if (name != "P") {
       line.poses = posesFor(*line.first, all);
       if (isFlat) std::erase_if(line.poses, [](const Match& match) { return match.parts.size() > 1; });
@@ -507,14 +502,23 @@ void addBlocks(const Json& value, const std::string& path, std::vector<std::stri
     if (++items <= kMost && blocks.size() < kMost) addBlocks(member, joinedPath(path, key), blocks);
 }
 
-}  // namespace
-
-namespace {
-
 /// A path without what is done to its numbers.
 std::string bareOf(const Candidate& candidate) {
   const std::string path = candidate.path();
   return path.substr(0, path.size() - (candidate.terms.empty() ? candidate.suffix.size() : 0));
+}
+
+/// Some of a list, and how many more there are.
+std::string someOf(const std::vector<std::string>& list, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(list.size(), most); ++i) text += (i > 0 ? ", " : "") + list[i];
+  return list.size() <= most ? text : text + " and " + std::to_string(list.size() - most) + " more";
+}
+
+std::string shownLine(const ProposedLine& line) {
+  std::string text = "--parts '" + line.parts + "'";
+  for (const std::string& set : line.set) text += " --set " + set;
+  return line.cameras > 1 ? text + "   (" + std::to_string(line.cameras) + " cameras)" : text;
 }
 
 }  // namespace
@@ -541,34 +545,27 @@ Proposal proposeParts(const Document& file) {
       for (const Chosen& term : each->terms) used.insert(bareOf(*term));
     }
   }
-  for (const Chosen& each : all)
-    if (!lines.empty() && !each->isStarred() && each->terms.empty() && isAmong(each->kind, "K P X R V Q T E D S") &&
-        !used.contains(bareOf(*each)) &&
-        std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; })) {
-      const std::string path = each->path();
-      if (std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
-        proposal.leftOut.push_back(path);
-    }
+  // Numbers of no kind are left out beside the parts that are used, and above them.
+  const auto isBesideUsed = [&](const Candidate& candidate) {
+    const std::string path = candidate.path(),
+                      box = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.') + 1);
+    return std::none_of(used.begin(), used.end(),
+                        [&](const std::string& each) { return each.starts_with(path + "."); }) &&
+           std::any_of(used.begin(), used.end(), [&](const std::string& each) { return each.starts_with(box); });
+  };
+  for (const Chosen& each : all) {
+    const bool isKind =
+        isAmong(each->kind, "K P X R V Q T E D S F C direction target") || (each->kind == "?" && isBesideUsed(*each));
+    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() && isKind &&
+                        !used.contains(bareOf(*each)) &&
+                        std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
+    const std::string path = each->path();
+    if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
+      proposal.leftOut.push_back(path);
+  }
   if (lines.empty()) addBlocks(*file.root, "", proposal.blocks);
   return proposal;
 }
-
-namespace {
-
-/// Some of a list, and how many more there are.
-std::string someOf(const std::vector<std::string>& list, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(list.size(), most); ++i) text += (i > 0 ? ", " : "") + list[i];
-  return list.size() <= most ? text : text + " and " + std::to_string(list.size() - most) + " more";
-}
-
-std::string shownLine(const ProposedLine& line) {
-  std::string text = "--parts '" + line.parts + "'";
-  for (const std::string& set : line.set) text += " --set " + set;
-  return line.cameras > 1 ? text + "   (" + std::to_string(line.cameras) + " cameras)" : text;
-}
-
-}  // namespace
 
 std::string textOf(const Proposal& proposal) {
   constexpr std::size_t kMostLines = 5, kMostQuestions = 5, kMostPaths = 8;

@@ -11,19 +11,6 @@
 namespace viewproj::cmd {
 namespace gltf {
 
-struct Gltf {
-  std::vector<Node> cameras;
-  NodeTree tree{"translation", "rotation"};
-  std::vector<std::size_t> places{};  ///< of each listed camera: its node, or nodes.size() + its index
-};
-
-std::vector<Node> elements(const Node& root, std::string_view key) {
-  std::vector<Node> result;
-  if (const auto list = root.find(key))
-    for (std::size_t i = 0; i < list->size(); ++i) result.push_back((*list)[i]);
-  return result;
-}
-
 /// An index into a list of this size.
 std::size_t indexOf(const Node& node, std::size_t size) {
   const double index = node.number();
@@ -35,7 +22,7 @@ std::size_t indexOf(const Node& node, std::size_t size) {
 void findParents(NodeTree& tree) {
   tree.parents.assign(tree.nodes.size(), NodeTree::kNone);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-    for (const Node& child : elements(tree.nodes[i], "children")) {
+    for (const Node& child : itemsAt(tree.nodes[i], "children")) {
       std::size_t& parent = tree.parents[indexOf(child, tree.nodes.size())];
       if (parent != NodeTree::kNone) child.fail("is a child of node " + std::to_string(parent) + " too");
       parent = i;
@@ -68,44 +55,40 @@ Json lensOf(const Node& camera) {
           {"far", lens.require("zfar").number()}};
 }
 
-Json documentOf(Gltf& gltf, std::size_t place) {
-  const std::size_t nodes = gltf.tree.nodes.size();
-  const std::size_t camera =
-      place < nodes ? indexOf(gltf.tree.nodes[place].require("camera"), gltf.cameras.size()) : place - nodes;
-  Json document{{"convention", "opengl"}, {"projection", lensOf(gltf.cameras[camera])}};
-  if (place < nodes) gltf.tree.addPose(document, place);
-  return document;
-}
+/// The camera without a place.
+Json documentOf(const Node& camera) { return {{"convention", "opengl"}, {"projection", lensOf(camera)}}; }
 
 Import open(const Node& root) {
   const Node version = root.require("asset").require("version");
   if (!version.text().starts_with("2.")) version.fail("is not supported; only glTF 2 is");
-  Gltf gltf{elements(root, "cameras")};
-  const std::vector<Node>& nodes = gltf.tree.nodes = elements(root, "nodes");
-  findParents(gltf.tree);
+  const auto cameras = std::make_shared<const std::vector<Node>>(itemsAt(root, "cameras"));
+  const auto tree = std::make_shared<NodeTree>("translation", "rotation");
+  tree->nodes = itemsAt(root, "nodes");
+  findParents(*tree);
   Import result;
-  std::vector<bool> hasNode(gltf.cameras.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].find("matrix") && nodes[i].findAny({"translation", "rotation", "scale"}))
-      nodes[i].fail("has a matrix beside translation, rotation or scale");
-    const auto camera = nodes[i].find("camera");
+  std::vector<bool> hasNode(cameras->size());
+  for (std::size_t i = 0; i < tree->nodes.size(); ++i) {
+    const Node& node = tree->nodes[i];
+    if (node.find("matrix") && node.findAny({"translation", "rotation", "scale"}))
+      node.fail("has a matrix beside translation, rotation or scale");
+    const auto camera = node.find("camera");
     if (!camera) continue;
-    std::string name = nameOf(nodes[i]);
-    if (camera->json().is_number_unsigned() && camera->json() < gltf.cameras.size()) {
+    std::string name = nameOf(node);
+    if (camera->json().is_number_unsigned() && camera->json() < cameras->size()) {
       hasNode[camera->json()] = true;
-      if (name.empty()) name = nameOf(gltf.cameras[camera->json()]);
+      if (name.empty()) name = nameOf((*cameras)[camera->json()]);
     }
-    result.cameras.push_back({name, std::to_string(i)});
-    gltf.places.push_back(i);
+    result.add(name, std::to_string(i), [cameras, tree, node, i] {
+      const std::size_t index = indexOf(node.require("camera"), cameras->size());
+      Json document = documentOf((*cameras)[index]);
+      tree->addPose(document, i);
+      return document;
+    });
   }
-  for (std::size_t i = 0; i < gltf.cameras.size(); ++i) {
-    if (hasNode[i]) continue;
-    result.cameras.push_back({nameOf(gltf.cameras[i]), gltf.cameras[i].path()});
-    gltf.places.push_back(nodes.size() + i);
+  for (std::size_t i = 0; i < cameras->size(); ++i) {
+    const Node& camera = (*cameras)[i];
+    if (!hasNode[i]) result.add(nameOf(camera), camera.path(), [camera] { return documentOf(camera); });
   }
-  result.document = [gltf = std::move(gltf)](std::size_t which) mutable {
-    return documentOf(gltf, gltf.places[which]);
-  };
   return result;
 }
 

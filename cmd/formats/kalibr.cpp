@@ -12,102 +12,91 @@
 namespace viewproj::cmd {
 namespace kalibr {
 
-Json lensOfCamera(const Node& camera, std::vector<double>& intrinsics) {
-  const Node numbers = camera.require("intrinsics");
-  intrinsics = numbersOf(numbers);
+/// The camera models, with how many numbers stand before fu, fv, pu, pv.
+constexpr std::pair<std::string_view, std::size_t> kModels[] = {{"pinhole", 0}, {"omni", 1}, {"eucm", 2}, {"ds", 2}};
+
+Json lensOfCamera(const Node& camera) {
+  const Node numbers = camera.require("intrinsics"), size = camera.require("resolution");
   const auto model = camera.find("camera_model"), bent = camera.find("distortion_model"),
              list = camera.find("distortion_coeffs");
   const std::string name = model ? model->text() : "pinhole", distortion = bent ? bent->text() : "";
-  const std::vector<double> c = list ? numbersOf(*list) : std::vector<double>{};
-  const std::size_t own = name == "pinhole" ? 0 : name == "omni" ? 1 : name == "eucm" || name == "ds" ? 2 : 99;
-  if (own == 99) model->fail("this camera model is not supported");
-  if (intrinsics.size() != own + 4)
+  const auto* const row =
+      std::find_if(std::begin(kModels), std::end(kModels), [&](const auto& each) { return each.first == name; });
+  if (row == std::end(kModels)) model->fail("this camera model is not supported");
+  const std::size_t own = row->second;
+  const std::vector<double> all = numbersOf(numbers), c = list ? numbersOf(*list) : std::vector<double>{};
+  if (all.size() != own + 4)
     numbers.fail("expected " + std::to_string(own + 4) + " numbers of the model " + name + ", got " +
-                 std::to_string(intrinsics.size()));
-  std::vector<double> first(intrinsics.begin(), intrinsics.begin() + static_cast<std::ptrdiff_t>(own));
-  intrinsics.erase(intrinsics.begin(), intrinsics.begin() + static_cast<std::ptrdiff_t>(own));
+                 std::to_string(all.size()));
+  refuse(camera, "line_delay", "is of a rolling shutter, which is not supported");
+  const std::vector<double> sides = numbersOf(size, 2);
+  Json document = pinholeCamera(std::span(all).subspan(own), std::array{sides[0], sides[1]});
   if (own == 0) {
-    if (list) return lensOf(*list, distortion, c);
-    if (bent && !mayBePinhole(distortion)) bent->fail("needs the coefficients of this lens");
-    return nullptr;
+    if (list)
+      setLens(document, *list, distortion, c);
+    else if (bent && !mayBePinhole(distortion))
+      bent->fail("needs the coefficients of this lens");
+    return document;
   }
-  const bool isBent = std::any_of(c.begin(), c.end(), [](double n) { return n != 0; });
-  if (isBent && (name != "omni" || distortion != "radtan")) bent->fail("is not supported beside the model " + name);
-  if (isBent) first.insert(first.end(), c.begin(), c.end());
-  return lensOf(numbers, name, first);
-}
-
-Json cameraOf(const Node& camera) {
-  std::vector<double> intrinsics;
-  Json lens = lensOfCamera(camera, intrinsics);
-  const std::vector<double> size = numbersOf(camera.require("resolution"), 2);
-  refuse(camera, {"line_delay"}, "is of a rolling shutter, which is not supported");
-  Json document = pinholeCamera(intrinsics, std::array{size[0], size[1]});
-  if (!lens.is_null()) document["distortion"] = std::move(lens);
+  std::vector<double> whole(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(own));
+  if (std::any_of(c.begin(), c.end(), [](double number) { return number != 0; })) {
+    if (name != "omni" || distortion != "radtan") bent->fail("is not supported beside the model " + name);
+    whole.insert(whole.end(), c.begin(), c.end());
+  }
+  setLens(document, numbers, name, whole);
   return document;
 }
 
-Rigid rigidAt(const Node& matrix) {
+Json poseAt(const Node& matrix) {
   const std::vector<double> m = numbersOf(matrix);
   if (m.size() != 12 && m.size() != 16) matrix.fail("expected 4 rows of 4 numbers");
-  return rigidOf(m);
+  return rowsOf(m, 4);
+}
+
+/// The links to cam0 of the camera of a number, its own first.
+Json linksOf(const std::vector<Node>& cameras, std::size_t number) {
+  Json links = Json::array();
+  for (std::size_t i = number; i > 0; --i) {
+    const auto link = cameras[i].find("T_cn_cnm1");
+    if (!link) cameras[i].fail("needs T_cn_cnm1, the link to the camera before it");
+    links.push_back(poseAt(*link));
+  }
+  return links.size() == 1 ? links.front() : links;
 }
 
 Import open(const Node& root) {
-  std::vector<Node> cameras;
-  Import result;
-  std::vector<std::string> names;
-  for (const std::string& name : starsOf(root, "cam*.intrinsics")) {
-    cameras.push_back(root.require("cam" + name));
-    names.push_back("cam" + name);
-  }
+  const auto cameras = std::make_shared<std::vector<Node>>();
   bool isLinked = true, isOnImu = false;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const auto link = cameras[i].find("T_cn_cnm1");
-    if (link) link->mark();
-    isLinked = isLinked && (i == 0 || link);
-    isOnImu = isOnImu || cameras[i].find("T_cam_imu") || cameras[i].find("T_imu_cam");
+  const Part all = parseParts("K=cam*.intrinsics", "kalibr").front();
+  for (const std::string& name : starsOf(root, all.starredPaths())) {
+    const Node camera = root.require("cam" + name);
+    isLinked = isLinked && (cameras->empty() || camera.find("T_cn_cnm1"));
+    isOnImu = isOnImu || camera.findAny({"T_cam_imu", "T_imu_cam"});
+    for (const char* pose : {"T_cn_cnm1", "T_cam_imu", "T_imu_cam"})
+      if (const auto matrix = camera.find(pose)) matrix->mark();
+    cameras->push_back(camera);
   }
-  struct Place {
-    std::size_t camera;
-    bool isSeenFromImu;
-  };
-  std::vector<Place> places;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    if (!isLinked && isOnImu) continue;
-    result.cameras.push_back({names[i], ""});
-    places.push_back({i, false});
+  Import result;
+  for (std::size_t i = 0; i < cameras->size() && (isLinked || !isOnImu); ++i) {
+    const auto document = [cameras, i] {
+      Json camera = lensOfCamera((*cameras)[i]);
+      if (i > 0) setPose(camera, "cameraFromWorld", linksOf(*cameras, i));
+      return camera;
+    };
+    result.add((*cameras)[i].path(), "", document, (*cameras)[i]);
   }
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    for (const char* pose : {"T_cam_imu", "T_imu_cam"})
-      if (const auto matrix = cameras[i].find(pose)) matrix->mark();
-    if (!isOnImu) continue;
-    result.cameras.push_back({"imu/" + names[i], ""});
-    places.push_back({i, true});
+  for (const Node& node : isOnImu ? *cameras : std::vector<Node>{}) {
+    const auto document = [node] {
+      Json camera = lensOfCamera(node);
+      const auto toCamera = node.find("T_cam_imu"), toImu = node.find("T_imu_cam");
+      if (!toCamera && !toImu) node.fail("needs T_cam_imu");
+      setPose(camera, toCamera ? "cameraFromWorld" : "worldFromCamera", poseAt(toCamera ? *toCamera : *toImu));
+      return camera;
+    };
+    result.add("imu/" + node.path(), "", document, node);
   }
-  result.document = [cameras, places](std::size_t which) {
-    const auto [index, isSeenFromImu] = places[which];
-    const Node& camera = cameras[index];
-    Json document = cameraOf(camera);
-    if (isSeenFromImu) {
-      const auto toCamera = camera.find("T_cam_imu"), toImu = camera.find("T_imu_cam");
-      if (!toCamera && !toImu) camera.fail("needs T_cam_imu");
-      setPose(document, toCamera ? "cameraFromWorld" : "worldFromCamera",
-              rowsOf(rigidAt(toCamera ? *toCamera : *toImu)));
-    } else if (index > 0) {
-      Rigid fromFirst;
-      for (std::size_t i = 1; i <= index; ++i) {
-        const auto link = cameras[i].find("T_cn_cnm1");
-        if (!link) cameras[i].fail("needs T_cn_cnm1, the link to the camera before it");
-        fromFirst = rigidAt(*link) * fromFirst;
-      }
-      setPose(document, "cameraFromWorld", rowsOf(fromFirst));
-    }
-    return document;
-  };
-  result.own = [cameras, places](std::size_t which) { return std::optional(cameras[places[which].camera]); };
   return result;
-}  // namespace viewproj::cmd
+}
 
 }  // namespace kalibr
 

@@ -105,7 +105,9 @@ Json document(const Node& root) {
 }
 
 Import open(const Node& root) {
-  return {std::vector<CameraEntry>(1), [root](std::size_t) { return document(root); }};
+  Import result;
+  result.add("", "", [root] { return document(root); });
+  return result;
 }
 
 }  // namespace matrices

@@ -1,7 +1,6 @@
 #include "formats/open.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "formats/claims.hpp"
@@ -17,9 +16,9 @@ namespace viewproj::cmd {
 namespace {
 
 /// The formats that have a file; the order does not matter, for one at most claims a file.
-constexpr const Format* kFormats[] = {
-    &kGltf, &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,
-    &kExif, &kTable,   &kScanner,    &kKalibr,    &kKitti,         &kStereo,   &kPoses,   &kMatrices};
+constexpr const Format* kFormats[] = {&kGltf,     &kThreeJs, &kTransforms,    &kMetashape, &kMetashapeLens,
+                                      &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,   &kExif,
+                                      &kTable,    &kScanner, &kKalibr,        &kPoses,     &kMatrices};
 
 /// Our own form may have names of others, as fx and cx in a projection.
 bool isOurs(const Json& root) {
@@ -32,78 +31,47 @@ bool isOurs(const Json& root) {
                                              [&](const char* name) { return projection->contains(name); }));
 }
 
-bool claims(const Format& format, const Node& root) {
-  return format.recognises ? format.recognises(root) : holds(root, format.when);
-}
-
 struct Claim {
   std::string_view name, form, known;
   std::function<Import()> open;
   bool mayBeMatrices = false;  ///< numbers alone: matrices, or poses
 };
 
+/// The formats that claim a file: one, or none. all: looks for others too.
 std::vector<Claim> claimsOf(const Node& root, bool all) {
   std::vector<Claim> found;
   if (isOurs(root.json())) return found;
   for (const Format* format : kFormats) {
     // Matrices in plain text may be anything: info and matrix read them with all that is beside them.
     if (format == &kMatrices && root.document().isPlainText) continue;
-    if ((all || found.empty()) && claims(*format, root))
-      found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
-                       format == &kMatrices || format == &kPoses});
+    if (!(format->recognises ? format->recognises(root) : holds(root, format->when))) continue;
+    found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
+                     format == &kMatrices || format == &kPoses});
+    if (!all) return found;
   }
-  for (const Row& row : rows()) {
-    if (!all && !found.empty()) break;
-    if (const auto container = containerOf(row, root))
+  for (const Row& row : rows())
+    if (const auto container = containerOf(row, root)) {
       found.push_back(
           {row.name, row.form, row.known, [&row, root, container] { return importRow(row, root, *container); }});
-  }
+      if (!all) return found;
+    }
   return found;
 }
 
-/// What no format has read is judged when a camera is asked for. Several threads may ask.
-Import judged(const std::shared_ptr<Document>& file, Import result, std::string_view known) {
-  struct State {
-    std::mutex mutex;
-    std::optional<Unread> unread;
-    std::string note;
-  };
-  const auto state = std::make_shared<State>();
-  state->unread.emplace(*file, result, known);
-  const auto document = std::move(result.document);
-  result.document = [file, state, document](std::size_t which) {
-    const std::lock_guard lock(state->mutex);
-    Json camera = document(which);
-    state->note = state->unread->judge(which);
-    return camera;
-  };
-  result.unread = [state](std::size_t) {
-    const std::lock_guard lock(state->mutex);
-    return state->note;
-  };
-  return result;
-}
-
-bool isInOtherWorld(const CameraEntry& camera) {
+bool isInOtherWorld(std::string_view name) {
   for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
-    if (camera.name.starts_with(world)) return true;
+    if (name.starts_with(world)) return true;
   return false;
 }
 
 /// Keeps the cameras of the file's own world, or those of the world that is picked: the same cameras, seen from
 /// elsewhere.
-void keepWorld(Import& result, const std::optional<std::string>& pick) {
-  const bool isOther = pick && isInOtherWorld({*pick, ""});
-  const std::string world = isOther ? pick->substr(0, pick->find('/') + 1) : "";
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < result.cameras.size(); ++i)
-    if (isOther ? result.cameras[i].name.starts_with(world) : !isInOtherWorld(result.cameras[i])) kept.push_back(i);
-  if (kept.empty() || kept.size() == result.cameras.size()) return;
-  std::vector<CameraEntry> cameras;
-  for (const std::size_t i : kept) cameras.push_back(std::move(result.cameras[i]));
-  result.cameras = std::move(cameras);
-  if (result.own) result.own = [own = std::move(result.own), kept](std::size_t which) { return own(kept[which]); };
-  result.document = [document = std::move(result.document), kept](std::size_t which) { return document(kept[which]); };
+void keepWorld(std::vector<CameraEntry>& cameras, const std::string& pick) {
+  const bool isOther = isInOtherWorld(pick);
+  const auto isLeftOut = [&](const CameraEntry& camera) {
+    return isOther ? !camera.name.starts_with(pick.substr(0, pick.find('/') + 1)) : isInOtherWorld(camera.name);
+  };
+  if (!std::all_of(cameras.begin(), cameras.end(), isLeftOut)) std::erase_if(cameras, isLeftOut);
 }
 
 /// What makes no camera, in plain text or of numbers alone, may be matrices.
@@ -116,28 +84,30 @@ Import openClaimed(const Document& file, const Claim& claim) {
   }
 }
 
+Import importParts(const Node& root, const std::string& line) {
+  std::vector<Part> parts = parseParts(line, "--parts");
+  requireNames(parts, "--parts", false);
+  if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
+  return {camerasOfParts(root, std::move(parts), {}, "")};
+}
+
+[[noreturn]] void failPreset(const std::string& name, std::string_view form) {
+  throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
+}
+
 Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
   const Node root(*file);
-  if (opening.parts) {
-    std::vector<Part> parts = parseParts(*opening.parts, "--parts");
-    requireNames(parts, "--parts", false);
-    if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
-    return importParts(root, std::move(parts), {}, "");
-  }
+  if (opening.parts) return importParts(root, *opening.parts);
   const std::vector<Claim> found = claimsOf(root, false);
-  const auto requireOwnConvention = [&] {
-    if (!preset.empty())
-      throw InputError(file->name + ": is " + std::string(found.front().form) +
-                       ", which has a convention of its own; leave out --read-as");
-  };
-  if (!found.empty() && !found.front().mayBeMatrices) requireOwnConvention();
+  if (!preset.empty() && !found.empty() && !found.front().mayBeMatrices) failPreset(file->name, found.front().form);
   if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
   if (!found.empty()) {
-    Import result = openClaimed(*file, found.front());
-    if (found.front().name == kPoses.name) requireOwnConvention();
-    keepWorld(result, opening.pick);
-    if (found.front().mayBeMatrices || file->isPlainText) result.matricesText = file->text;
-    return judged(file, std::move(result), found.front().known);
+    const Claim& claim = found.front();
+    Import result = openClaimed(*file, claim);
+    if (!preset.empty() && claim.name == kPoses.name) failPreset(file->name, claim.form);
+    keepWorld(result.cameras, opening.pick.value_or(""));
+    if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
+    return judged(file, std::move(result), claim.known);
   }
   if (!file->isPlainText && isCameraDocument(*file->root)) return openCameraDocument(*file);
   throw UnknownFile(file->name +
@@ -149,88 +119,128 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
 /// One of the poses whose product is a camera's, or several in turn.
 struct PoseFactor {
   std::shared_ptr<Document> file;
-  PosesOfFile poses;
-  std::vector<std::size_t> picked;
+  std::vector<CameraEntry> cameras;  ///< that have the pose
+  std::string field;
 };
 
 PoseFactor factorOf(const std::string& source, const Opening& opening) {
+  const std::string& field = opening.direction;
   if (const auto pose = poseOfText(source)) {
-    const auto same = [pose = *pose](std::size_t) { return pose; };
-    return {nullptr, {std::vector<CameraEntry>(1), same, ""}, {0}};
+    CameraEntry camera;
+    camera.document = [pose = *pose, field] { return Json{{field, pose}}; };
+    return {nullptr, {camera}, field};
   }
   const auto [name, pick] = splitPick(source);
-  PoseFactor factor{std::make_shared<Document>(readTree(name, "--" + opening.option)), {}, {}};
-  factor.poses = posesOf(Node(*factor.file));
-  const std::string& direction = factor.poses.direction;
-  if (!direction.empty() && direction != opening.direction)
-    throw InputError(factor.file->name + ": holds poses of the other direction, " + direction);
-  factor.picked = CameraSet(factor.file->name, {.cameras = factor.poses.names, .noun = "pose"}, {}).chooseAll(pick);
+  const auto file = std::make_shared<Document>(
+      readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world"));
+  file->marks = std::make_shared<std::unordered_set<const void*>>();
+  PosesOfFile read = posesOf(Node(*file));
+  if (read.poses.cameras.empty()) {  // a camera's pose
+    try {
+      read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
+    } catch (const UnknownFormat&) {
+      Node(*file).fail(
+          "holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, or "
+          "{\"rotation\", \"translation\"}");
+    }
+  }
+  if (read.isDirected && read.field != field)
+    throw InputError(file->name + ": holds poses of the other direction, " + read.field);
+  PoseFactor factor{file, {}, read.field};
+  for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
+    factor.cameras.push_back(read.poses.cameras[i]);
   return factor;
+}
+
+constexpr const char* kPoseFields[] = {"position", "rotation",        "target",         "direction",
+                                       "up",       "euler",           "heading",        "pitch",
+                                       "roll",     "worldFromCamera", "cameraFromWorld"};
+
+/// Whether a camera stands anywhere but at the origin.
+bool hasPose(const Json& camera) {
+  const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
+  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
+    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
+  });
+}
+
+/// A camera's document at the product of poses, for the one of each factor or that of a number.
+Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
+  for (const char* field : kPoseFields) camera.erase(field);
+  Json poses = Json::array();
+  for (const auto& [file, cameras, field] : factors) {
+    const Json pose = cameras[cameras.size() > 1 ? number : 0].document();
+    if (!pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
+    poses.push_back(pose[field]);
+  }
+  camera[direction] = poses.size() == 1 ? poses.front() : poses;
+  return camera;
 }
 
 /// Each camera at the pose, or one camera at each pose. name: of the cameras' file; several poses set it to their own.
 Import atPoses(Import result, const Opening& opening, std::string& name) {
-  std::vector<PoseFactor> factors;
+  const auto factors = std::make_shared<std::vector<PoseFactor>>();
   const PoseFactor* several = nullptr;
-  factors.reserve(opening.poses.size());
+  factors->reserve(opening.poses.size());
   for (const std::string& source : opening.poses) {
-    factors.push_back(factorOf(source, opening));
-    if (factors.back().picked.size() == 1) continue;
+    factors->push_back(factorOf(source, opening));
+    const PoseFactor& factor = factors->back();
+    if (factor.cameras.size() == 1) continue;
     if (several || result.cameras.size() > 1)
-      throw InputError(factors.back().file->name + ": holds " + std::to_string(factors.back().picked.size()) +
+      throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
                        (several ? " poses, and another file does too" : " poses for several cameras") +
                        "; pick one of either");
-    several = &factors.back();
+    several = &factor;
   }
-  Import moved = result;
-  if (several) {
-    moved.cameras.clear();
-    for (const std::size_t i : several->picked) moved.cameras.push_back(several->poses.names[i]);
-    moved.unread = nullptr;
-    name = several->file->name;
-  }
-  moved.document = [factors, result, isSeveral = several != nullptr, direction = opening.direction](std::size_t which) {
-    Json camera = result.document(isSeveral ? 0 : which);
-    for (const char* field : {"position", "rotation", "target", "direction", "up", "euler", "heading", "pitch", "roll",
-                              "worldFromCamera", "cameraFromWorld"})
-      camera.erase(field);
-    Json poses = Json::array();
-    for (const PoseFactor& factor : factors)
-      poses.push_back(factor.poses.pose(factor.picked[factor.picked.size() > 1 ? which : 0]));
-    camera[direction] = poses.size() == 1 ? poses.front() : poses;
-    return camera;
+  const std::string replaced =
+      std::string("its own pose, which ") +
+      (opening.direction == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world") + " replaces";
+  const auto moved = [&](const CameraEntry& camera, std::size_t number) {
+    return [document = camera.document, factors, number, direction = opening.direction] {
+      return atPose(document(), *factors, number, direction);
+    };
   };
-  return moved;
+  if (!several) {
+    result.unread = [unread = result.unread, cameras = result.cameras, replaced](std::size_t which) {
+      std::string names = unread ? unread(which) : "";
+      if (hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
+      return names;
+    };
+    for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
+    return result;
+  }
+  Import all;
+  name = several->file->name;
+  for (std::size_t i = 0; i < several->cameras.size(); ++i)
+    all.add(several->cameras[i].name, several->cameras[i].id, moved(result.cameras.front(), i));
+  return all;
 }
 
 }  // namespace
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
-  std::shared_ptr<Document> file;
-  Import result;
   if (opening.parts && !patches.readAs.empty())
     throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
+  std::shared_ptr<Document> file;
+  Import result;
   if (const auto model = opening.parts ? std::nullopt : colmapModel(source)) {
-    if (!patches.readAs.empty())
-      throw InputError(source +
-                       ": is a reconstruction of COLMAP, which has a convention of its own; leave out --read-as");
+    if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");
     file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
     result = openColmap(Node(*file));
-    result.document = [file, document = std::move(result.document)](std::size_t which) { return document(which); };
   } else {
     file = std::make_shared<Document>(readTree(source, opening.option));
     file->marks = std::make_shared<std::unordered_set<const void*>>();
     result = importFile(file, opening, patches.readAs);
-    result.document = [file, document = std::move(result.document)](std::size_t which) { return document(which); };
   }
   std::string name = file->name;
   if (!opening.poses.empty()) result = atPoses(std::move(result), opening, name);
-  return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
+  return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches), file);
 }
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
-  Json camera{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}};
-  Import result{{CameraEntry{}}, [camera](std::size_t) { return camera; }};
+  Import result;
+  result.add("", "",
+             [camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] { return camera; });
   std::string name = splitPick(opening.poses.front()).file;
   result = atPoses(std::move(result), opening, name);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
+#include "formats/format.hpp"
+#include "formats/words.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -14,41 +17,22 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kNames[] = {"K",
-                                       "P",
-                                       "fovY",
-                                       "fovX",
-                                       "size",
-                                       "distortion",
-                                       "fisheye",
-                                       "omni",
-                                       "doubleSphere",
-                                       "unified",
-                                       "fov",
-                                       "cameraFromWorld",
-                                       "worldFromCamera",
-                                       "position",
-                                       "target",
-                                       "direction",
-                                       "up",
-                                       "euler",
-                                       "name"};
-/// Of rows alone: coefficients, the model's name, whether it is a fisheye, and xi beside OpenCV's coefficients.
-constexpr std::string_view kNamesOfRows[] = {"lens", "model", "isFisheye", "xi", "near", "far", "id"};
-constexpr std::string_view kTurns[] = {"rotation", "rotationVector", "quaternion", "quaternionWFirst", "translation"};
-constexpr std::string_view kPoseParts[] = {"cameraFromWorld", "worldFromCamera"};
+/// The lenses that a part names, and what lens_names.cpp calls them.
+constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
+    {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
+constexpr std::string_view kNames =
+    "K P fovY fovX size distortion fisheye omni doubleSphere unified fov cameraFromWorld worldFromCamera position "
+    "target direction up euler name";
+constexpr std::string_view kNamesOfRows = "lens model isFisheye xi near far id", kTexts = "name model isFisheye id";
+constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
+                           kTurns = "rotation rotationVector quaternion quaternionWFirst";
 
-template <class Range>
-bool contains(const Range& range, std::string_view name) {
-  return std::find(std::begin(range), std::end(range), name) != std::end(range);
-}
-
-bool isText(std::string_view part) { return part == "name" || part == "model" || part == "isFisheye" || part == "id"; }
+using FoundParts = std::map<std::string, Found, std::less<>>;
 
 /// What the file holds for one camera, by part.
 class Parts {
  public:
-  explicit Parts(std::map<std::string, Found, std::less<>> found) : found_(std::move(found)) {}
+  explicit Parts(FoundParts found) : found_(std::move(found)) {}
 
   bool has(std::string_view part) const { return found_.contains(part); }
   const Found& operator[](std::string_view part) const { return found_.find(part)->second; }
@@ -56,19 +40,27 @@ class Parts {
   const Node& node(std::string_view part) const { return (*this)[part].nodes.front(); }
   std::string text(std::string_view part) const { return has(part) ? (*this)[part].text : ""; }
 
-  /// The numbers of a part: as many as one of these.
+  /// The numbers of a part: as many as one of these; none: any.
   const std::vector<double>& numbers(std::string_view part, std::initializer_list<std::size_t> counts) const {
     const std::vector<double>& numbers = (*this)[part].numbers;
-    if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end()) {
-      std::string expected;
-      for (const std::size_t* count = counts.begin(); count != counts.end(); ++count)
-        expected += (count == counts.begin() ? "" : count + 1 == counts.end() ? " or " : ", ") + std::to_string(*count);
-      fail(part, "expected " + expected + (expected == "1" ? " number" : " numbers") + ", got " +
-                     std::to_string(numbers.size()));
+    if (counts.size() > 0 && std::find(counts.begin(), counts.end(), numbers.size()) == counts.end()) {
+      std::vector<std::string> texts;
+      for (const std::size_t count : counts) texts.push_back(std::to_string(count));
+      fail(part, "expected " + alternatives({texts.begin(), texts.end()}) +
+                     (texts.back() == "1" ? " number" : " numbers") + ", got " + std::to_string(numbers.size()));
     }
+    const bool isPose = isAmong(part.substr(0, part.find('.')), kPoseParts);
     for (const double number : numbers)
-      if (!std::isfinite(number)) fail(part, "holds a number that is not finite, as what is lost or not known does");
+      if (!std::isfinite(number))
+        fail(part, isPose ? "is not a pose: it holds inf or nan, as a pose that was lost does"
+                          : "holds a number that is not finite, as what is lost or not known does");
     return numbers;
+  }
+  double number(std::string_view part) const { return numbers(part, {1}).front(); }
+  std::optional<std::array<double, 2>> size() const {
+    if (!has("size")) return std::nullopt;
+    const std::vector<double>& size = numbers("size", {2});
+    return std::array{size[0], size[1]};
   }
 
   [[noreturn]] void fail(std::string_view part, const std::string& message) const {
@@ -78,66 +70,48 @@ class Parts {
   }
 
  private:
-  std::map<std::string, Found, std::less<>> found_;
+  FoundParts found_;
 };
-
-std::optional<std::array<double, 2>> sizeOf(const Parts& parts) {
-  if (!parts.has("size")) return std::nullopt;
-  const std::vector<double>& size = parts.numbers("size", {2});
-  return std::array{size[0], size[1]};
-}
-
-/// Whether a principal point lies outside the picture and inside the one with its sides exchanged.
-void requireSides(const Parts& parts, double cx, double cy) {
-  const auto size = sizeOf(parts);
-  if (!size) return;
-  const auto [w, h] = *size;
-  if ((cx > w || cy > h) && cx < h && cy < w && cx > 0 && cy > 0)
-    parts.fail("size", "is " + formatNumber(w) + "x" + formatNumber(h) + ", but cx, cy fit " + formatNumber(h) + "x" +
-                           formatNumber(w));
-}
 
 Json projectionOfK(const Parts& parts) {
   const std::vector<double>& k = parts.numbers("K", {1, 2, 3, 4, 9, 12, 16});
-  const auto size = sizeOf(parts);
+  const auto size = parts.size();
+  const auto [w, h] = size.value_or(std::array{0.0, 0.0});
   Json projection{{"type", "intrinsics"}};
   if (k.size() < 3) {
-    projection["fx"] = k.front();
-    projection["fy"] = k.back();
+    projection.update({{"fx", k.front()}, {"fy", k.back()}});
   } else {
-    const std::array<double, 4> n = k.size() >= 9   ? intrinsicsOf(parts.node("K"), k)
-                                    : k.size() == 4 ? std::array{k[0], k[1], k[2], k[3]}
-                                                    : std::array{k[0], k[0], k[1], k[2]};
-    requireSides(parts, n[2], n[3]);
-    projection.update({{"fx", n[0]}, {"fy", n[1]}, {"cx", n[2]}, {"cy", n[3]}});
+    const auto [fx, fy, cx, cy] = k.size() >= 9   ? intrinsicsOf(parts.node("K"), k)
+                                  : k.size() == 4 ? std::array{k[0], k[1], k[2], k[3]}
+                                                  : std::array{k[0], k[0], k[1], k[2]};
+    if (size && (cx > w || cy > h) && cx < h && cy < w && cx > 0 && cy > 0)
+      parts.fail("size", "is " + formatNumber(w) + "x" + formatNumber(h) + ", but cx, cy fit " + formatNumber(h) + "x" +
+                             formatNumber(w));
+    projection.update({{"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}});
   }
   // DSO's and PTAM's numbers are fractions of the picture.
   constexpr double kFraction = 5;
-  if (size && k.front() > 0 && k.front() < kFraction && size->front() > 10 * kFraction)
+  if (size && k.front() > 0 && k.front() < kFraction && w > 10 * kFraction)
     parts.fail("K",
                "has a focal length below 5 pixels, which is a fraction of the picture or millimetres; multiply it");
   if (size) projection["pixels"] = *size;
   return projection;
 }
 
-void readLens(const Parts& parts, Json& camera) {
-  const auto put = [&](Json lens) {
-    if (!lens.is_null()) camera["distortion"] = std::move(lens);
-  };
-  for (const auto& [part, model] : {std::pair{"fisheye", "fisheye"},
-                                    {"omni", "omni"},
-                                    {"doubleSphere", "ds"},
-                                    {"unified", "unified"},
-                                    {"fov", "fov"}})
-    if (parts.has(part)) put(lensOf(parts.node(part), model, parts[part].numbers));
-  if (parts.has("distortion")) {
-    const std::vector<double>& d = parts["distortion"].numbers;
-    if (d.size() == 3 || d.size() == 6)
-      parts.fail("distortion",
-                 "holds " + std::to_string(d.size()) +
-                     " numbers, which may be any of k1 k2 p1 p2 k3 … k6; say which, as in distortion=d[0,1,4,5,2]");
-    put(lensOf(parts.node("distortion"), "plumb_bob", parts.numbers("distortion", {1, 2, 4, 5, 8, 12, 14})));
+/// What --parts takes for a fisheye of a file whose lens has no name.
+std::string fisheyeLine(const Parts& parts) {
+  std::string line = "--parts 'K=" + parts.node("K").path() + ", fisheye=" + parts.node("lens").path();
+  if (parts.has("size")) {
+    line += ", size=";
+    const std::vector<Node>& sides = parts["size"].nodes;
+    for (std::size_t i = 0; i < std::min<std::size_t>(sides.size(), 2); ++i)
+      if (i == 0 || sides.size() == 2) line += (i > 0 ? "+" : "") + sides[i].path();
   }
+  return line + "'";
+}
+
+/// The coefficients of a lens that the file names.
+void readNamedLens(const Parts& parts, Json& camera) {
   const std::string_view stated = parts.has("model") ? "model" : "isFisheye";
   std::string model = parts.text(stated);
   if (stated == "isFisheye" && parts.has(stated)) model = model == "true" || model == "1" ? "fisheye" : "plumb_bob";
@@ -145,38 +119,65 @@ void readLens(const Parts& parts, Json& camera) {
     if (parts.has(stated) && !mayBePinhole(model)) parts.fail(stated, "needs the coefficients of this lens");
     return;
   }
-  const Found& lens = parts["lens"];
-  if (!lens.named.empty()) return put(lensOf(lens.nodes.front(), model, lens.named));
-  std::vector<double> c = lens.numbers;
-  for (const double coefficient : c)
-    if (!std::isfinite(coefficient)) parts.fail("lens", "holds a number that is not finite");
+  const Node& node = parts.node("lens");
+  if (model.empty() && hasWord(node.path(), "fisheye equidistant")) model = "fisheye";
+  if (const auto& named = parts["lens"].named; !named.empty()) return setLens(camera, node, model, named);
+  std::vector<double> c = parts.numbers("lens", {});
   if (parts.has("xi")) {
-    c.insert(c.begin(), parts.numbers("xi", {1}).front());
-    return put(lensOf(parts.node("lens"), "omni", c));
+    c.insert(c.begin(), parts.number("xi"));
+    model = "omni";
+  } else if (c.size() == 4 && model.empty() && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; })) {
+    node.fail(
+        "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
+        "\"plumb_bob\" or \"fisheye\"" +
+        (parts.has("K") ? ", or say " + fisheyeLine(parts) : ""));
   }
-  if (c.size() == 4 && model.empty() && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; }))
-    parts.fail("lens",
-               "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
-               "\"plumb_bob\" or \"fisheye\"");
-  put(lensOf(parts.node("lens"), model, c));
+  setLens(camera, node, model, c);
 }
 
-/// A pose as {rotation, translation}; nothing if none of its parts is there.
-std::optional<Json> rigidOf(const Parts& parts, const std::string& pose) {
-  std::string turn;
-  for (const std::string_view part : kTurns) {
-    const std::string name = pose + "." + std::string(part);
-    if (!parts.has(name) || part == "translation") continue;
-    if (!turn.empty()) parts.fail(name, "is the same thing as " + parts.node(turn).path() + "; leave one of them out");
-    turn = name;
+void readLens(const Parts& parts, Json& camera) {
+  for (const auto& [part, model] : kLensParts)
+    if (parts.has(part)) setLens(camera, parts.node(part), model, parts.numbers(part, {}));
+  if (parts.has("distortion")) {
+    const std::size_t count = parts["distortion"].numbers.size();
+    if (count == 3 || count == 6)
+      parts.fail("distortion",
+                 "holds " + std::to_string(count) +
+                     " numbers, which may be any of k1 k2 p1 p2 k3 … k6; say which, as in distortion=d[0,1,4,5,2]");
+    setLens(camera, parts.node("distortion"), "plumb_bob", parts.numbers("distortion", {1, 2, 4, 5, 8, 12, 14}));
   }
+  readNamedLens(parts, camera);
+}
+
+/// A matrix of 12 or 16 numbers, or a rotation of 9.
+Json matrixOf(const Node& node, std::vector<double> m) {
+  if (m.size() == 9) return {{"rotation", rowsOf(m, 3)}, {"translation", {0, 0, 0}}};
+  if (m.size() != 12 && m.size() != 16) node.fail("expected 12 or 16 numbers, got " + std::to_string(m.size()));
+  // A matrix and its multiples are the same map; phones write a last number next to 1.
+  if (m.size() == 16 && m[15] != 1 && std::fabs(m[15] - 1) < 1e-5)
+    for (double& entry : m) entry /= m[15];
+  return rowsOf(m, 4);
+}
+
+/// Matrices whose product is the pose, or one whose numbers may be terms of their own.
+Json chainOf(const Parts& parts, std::string_view pose) {
+  const Found& found = parts[pose];
+  const std::vector<double>& all = parts.numbers(pose, {});
+  if (found.nodes.size() < 2 || all.size() == 12 || all.size() == 16) {
+    if (!parts.has("P")) (void)parts.numbers(pose, {12, 16});
+    return Json::array({matrixOf(parts.node(pose), all)});
+  }
+  Json chain = Json::array();
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < found.ends.size(); begin = found.ends[i++])
+    chain.push_back(matrixOf(found.nodes[i], {all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                              all.begin() + static_cast<std::ptrdiff_t>(found.ends[i])}));
+  return chain;
+}
+
+/// A turn of one of the forms, and a translation or the part position.
+Json rigidOf(const Parts& parts, const std::string& pose, const std::string& turn) {
   const std::string translation = pose + ".translation";
-  if (turn.empty() && !parts.has(translation)) return std::nullopt;
-  const auto isZero = [](double number) { return number == 0; };
-  if (const auto& t = parts[turn.empty() ? translation : turn].numbers;
-      turn.empty() && std::all_of(t.begin(), t.end(), isZero))
-    return std::nullopt;  // says as little as no pose
-  if (turn.empty()) parts.fail(translation, "needs R or rvec beside it");
   if (!parts.has(translation) && !parts.has("position")) parts.fail(turn, "needs t or tvec beside it");
   Json rigid{{"translation", parts.has(translation) ? parts.numbers(translation, {3}) : std::vector<double>{0, 0, 0}}};
   if (turn.ends_with("rotation")) {
@@ -191,153 +192,182 @@ std::optional<Json> rigidOf(const Parts& parts, const std::string& pose) {
   return rigid;
 }
 
-/// The pose, and whether it has axes of its own.
+/// The one part that turns the camera; empty if there is none.
+std::string turnOf(const Parts& parts) {
+  std::string turn;
+  const auto add = [&](const std::string& name) {
+    if (!parts.has(name)) return;
+    if (!turn.empty())
+      parts.fail(name, turn.find('.') != std::string::npos && name.starts_with(turn.substr(0, turn.find('.')))
+                           ? "is the same thing as " + parts.node(turn).path() + "; leave one of them out"
+                           : "the camera has another pose; leave one of them out");
+    turn = name;
+  };
+  for (const std::string_view pose : wordsIn(kPoseParts)) {
+    const std::string name(pose), translation = name + ".translation";
+    const std::string before = turn;
+    add(name);
+    for (const std::string_view form : wordsIn(kTurns)) add(name + "." + std::string(form));
+    if (turn != before || !parts.has(translation)) continue;
+    const auto& t = parts[translation].numbers;  // zeros say as little as no pose
+    if (std::any_of(t.begin(), t.end(), [](double number) { return number != 0; }))
+      parts.fail(translation, "needs R or rvec beside it");
+  }
+  return turn;
+}
+
+/// The pose. Whether it has axes of its own.
 bool readPose(const Parts& parts, Json& camera) {
-  std::string_view first;
-  for (const std::string_view pose : kPoseParts) {
-    const std::string name(pose);
-    std::optional<Json> value;
-    if (parts.has(name)) {
-      // A matrix and its multiples are the same map; phones write a last number next to 1.
-      std::vector<double> m = parts.numbers(name, {12, 16});
-      if (m.size() == 16 && m[15] != 1 && std::fabs(m[15] - 1) < 1e-5)
-        for (double& entry : m) entry /= m[15];
-      value = rowsOf(m, 4);
-    }
-    std::optional<Json> rigid = rigidOf(parts, name);
-    const bool isTwice = value && rigid;
-    if (!value) value = std::move(rigid);
-    if (!value) continue;
-    if (!first.empty() || isTwice) {
-      for (const std::string& part :
-           {name, name + ".rotation", name + ".rotationVector", name + ".quaternion", name + ".quaternionWFirst"})
-        if (parts.has(part) && !(part == name && isTwice))
-          parts.fail(part, "the camera has another pose; leave one of them out");
-    }
-    first = pose;
-    setPose(camera, pose, std::move(*value));
+  const std::string turn = turnOf(parts);
+  if (!turn.empty()) {
+    const std::string pose = turn.substr(0, turn.find('.'));
+    Json value = turn == pose ? chainOf(parts, pose) : rigidOf(parts, pose, turn);
+    setPose(camera, pose, value.is_array() && value.size() == 1 ? value.front() : value);
   }
   for (const char* field : {"position", "direction", "target", "up", "euler"}) {
     if (!parts.has(field)) continue;
-    if (first.empty()) camera.erase("rotation");
+    if (turn.empty()) camera.erase("rotation");
     const std::vector<double>& v = parts.numbers(field, {3});
     camera[field] = std::string_view(field) == "euler" ? Json{{"degrees", v}} : Json(v);
   }
   for (const char* field : {"direction", "target"})
     if (parts.has(field) && !parts.has("up"))
       parts.fail(field, "needs up: up=0+1+0 where y is up, up=0+0+1 where z is");
-  if (first.empty() && parts.has("position") && !camera.contains("direction") && !camera.contains("target") &&
+  if (turn.empty() && parts.has("position") && !camera.contains("direction") && !camera.contains("target") &&
       !camera.contains("euler"))
     parts.fail("position", "needs a rotation, direction or target beside it");
-  return !first.empty() || parts.has("euler");
+  return !turn.empty() || parts.has("euler");
 }
 
 Json cameraOf(const Parts& parts, const PartsForm& form) {
+  const auto size = parts.size();
   Json camera{{"convention", "opencv"}, {"position", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}};
   if (parts.has("P")) {
     std::vector<double> p = parts.numbers("P", {12, 16});
     p.resize(12);
-    camera = cameraOfMatrix(parts.node("P"), p, sizeOf(parts));
+    const bool isInFront = parts.has("cameraFromWorld");
+    camera = isInFront ? cameraBehind(parts.node("P"), p, size, chainOf(parts, "cameraFromWorld"))
+                       : cameraOfMatrix(parts.node("P"), p, size);
   } else {
     if (parts.has("K")) camera["projection"] = projectionOfK(parts);
     for (const char* field : {"fovX", "fovY"})
-      if (parts.has(field)) {
-        camera["projection"]["type"] = "perspective";
-        camera["projection"][field] = parts.numbers(field, {1}).front();
-      }
-    if (const auto size = sizeOf(parts)) camera["viewport"] = {{"width", size->front()}, {"height", size->back()}};
+      if (parts.has(field)) camera["projection"].update({{"type", "perspective"}, {field, parts.number(field)}});
+    if (size) camera["viewport"] = {{"width", size->front()}, {"height", size->back()}};
     if (readPose(parts, camera) && form.cameraAxes != "RDF") camera["cameraAxes"] = form.cameraAxes;
   }
   for (const char* field : {"near", "far"})
-    if (parts.has(field)) camera["projection"][field] = parts.numbers(field, {1}).front();
+    if (parts.has(field)) camera["projection"][field] = parts.number(field);
   if (form.pixelCenter != 0) camera["viewport"]["pixelCenter"] = form.pixelCenter;
   readLens(parts, camera);
   return camera;
 }
 
-/// The segment that holds the star, of the first part that has one.
-std::string segmentOf(const std::vector<Part>& parts) {
-  for (const Part& part : parts)
-    for (const Sum& sum : part.value)
-      for (const Term& term : sum)
-        for (const Path& path : term.paths)
-          if (const std::size_t star = path.text.find('*'); star != std::string::npos) {
-            const std::size_t first = path.text.rfind('.', star), begin = first == std::string::npos ? 0 : first + 1;
-            return path.text.substr(begin, path.text.find('.', star) - begin);
-          }
-  return "*";
-}
+/// A line of parts in a file.
+struct PartsLine {
+  Node root;
+  std::vector<Part> parts;
+  PartsForm form;
+
+  /// The parts of one camera. Throws InputError if one is missing or of another form.
+  FoundParts find(const std::string& star) const {
+    FoundParts found;
+    for (const Part& part : parts) {
+      auto value = cmd::find(root, part, star, isAmong(part.name, kTexts));
+      if (!value && !part.isOptional)
+        root.fail(part.name + ": " + withStar(part.value.front().front().paths.front().text, star) +
+                  ": is not in the file");
+      if (value) found.emplace(part.name, std::move(*value));
+    }
+    return found;
+  }
+
+  /// The camera of a star, called so unless the line has its name; what the line reads of it is marked. Nothing if its
+  /// P is zeros, which stand for a camera that is absent.
+  std::optional<CameraEntry> entry(const std::string& star, const std::string& name) const {
+    CameraEntry camera{name, ""};
+    for (const Part& part : parts) {
+      std::optional<Found> value;
+      try {
+        value = cmd::find(root, part, star, isAmong(part.name, kTexts));
+      } catch (const InputError&) {  // is told when the camera is asked for
+      }
+      if (!value) continue;
+      for (const Node& node : value->nodes) node.mark();
+      const auto isZero = [](double number) { return number == 0; };
+      if (part.name == "P" && !star.empty() && std::all_of(value->numbers.begin(), value->numbers.end(), isZero))
+        return std::nullopt;
+      if (part.name == "name") camera = {value->text, star};
+      if (part.name == "id") camera.id = value->text;
+    }
+    return camera;
+  }
+
+  /// The segment that holds the star, of the first part that has one.
+  std::string segment() const {
+    for (const Part& part : parts)
+      for (const Path* path : part.starredPaths()) {
+        const std::string_view text = path->text;
+        const std::size_t star = text.find('*'), begin = text.rfind('.', star) + 1;
+        return std::string(text.substr(begin, text.find('.', star) - begin));
+      }
+    return "";
+  }
+};
 
 }  // namespace
 
 void requireNames(const std::vector<Part>& parts, const std::string& label, bool isRow) {
-  std::vector<std::string_view> known(std::begin(kNames), std::end(kNames));
   for (const Part& part : parts) {
-    const std::size_t dot = part.name.find('.');
-    const std::string_view first = std::string_view(part.name).substr(0, dot);
-    if (dot == std::string::npos && (contains(kNames, part.name) || (isRow && contains(kNamesOfRows, part.name))))
-      continue;
-    if (dot != std::string::npos && contains(kPoseParts, first) &&
-        contains(kTurns, std::string_view(part.name).substr(dot + 1)))
+    const std::size_t dot = std::min(part.name.find('.'), part.name.size());
+    const std::string first = part.name.substr(0, dot), form = part.name.substr(std::min(dot + 1, part.name.size()));
+    if (dot == part.name.size() ? isAmong(first, kNames) || (isRow && isAmong(first, kNamesOfRows))
+                                : isAmong(first, kPoseParts) && (form == "translation" || isAmong(form, kTurns)))
       continue;
     if (first == "pose")
       throw UsageError(
           label +
           ": pose is no part: say cameraFromWorld (as solvePnP and COLMAP give it) or worldFromCamera (its "
           "translation is the camera's place)");
-    throw UsageError(label + ": " + inQuotes(part.name) + " is no part" + suggestion(part.name, known));
+    throw UsageError(label + ": " + inQuotes(part.name) + " is no part" + suggestion(part.name, wordsIn(kNames)));
   }
 }
 
-Import importParts(const Node& root, std::vector<Part> parts, PartsForm form, std::string_view names) {
-  const auto shared = std::make_shared<const std::vector<Part>>(std::move(parts));
+std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> parts, PartsForm form,
+                                        std::string_view names) {
+  const auto line = std::make_shared<const PartsLine>(PartsLine{root, std::move(parts), form});
   std::vector<std::string> stars;
   std::unordered_set<std::string> known;
-  bool isStarred = false;
-  for (const Part& part : *shared) {
-    if (part.isOptional || !hasStar(part) || part.name == "name") continue;
-    isStarred = true;
-    for (std::string& star : starsOf(root, part.value))
+  const Path* starred = nullptr;
+  for (const Part& part : line->parts) {
+    const auto paths = part.starredPaths();
+    if (part.isOptional || part.name == "name" || paths.empty()) continue;
+    if (!starred) starred = paths.front();
+    for (std::string& star : starsOf(root, paths))
       if (known.insert(star).second) stars.push_back(std::move(star));
   }
-  if (!isStarred) stars.emplace_back();
-  const std::string pattern = names.empty() && isStarred ? segmentOf(*shared) : std::string(names);
-  const auto partsOf = [root, shared](const std::string& star, bool isMark) {
-    std::map<std::string, Found, std::less<>> found;
-    for (const Part& part : *shared) {
-      std::optional<Found> value;
-      try {
-        value = find(root, part, star, isText(part.name));
-      } catch (const InputError&) {
-        if (!isMark) throw;  // is told when the camera is asked for
-      }
-      if (!value && !part.isOptional && !isMark) root.fail(placeOf(part, star) + ": is not in the file");
-      if (value && isMark) mark(*value);
-      if (value) found.emplace(part.name, std::move(*value));
-    }
-    return found;
-  };
-  Import result;
+  // "b_to_a" is a pose of b.
+  std::erase_if(stars, [&](const std::string& star) {
+    return known.contains(star.substr(0, star.find("_to_"))) && star.find("_to_") != std::string::npos;
+  });
+  if (!starred) stars.emplace_back();
+  if (stars.empty()) root.fail(starred->text + ": is not in the file");
+  const std::string pattern = names.empty() ? line->segment() : std::string(names);
+  std::vector<CameraEntry> cameras;
   for (const std::string& star : stars) {
-    CameraEntry entry{withStar(pattern, star), ""};
-    const auto found = partsOf(star, true);
-    const auto name = found.find("name"), id = found.find("id");
-    if (name != found.end()) entry = {name->second.text, star};
-    if (id != found.end()) entry.id = id->second.text;
-    result.cameras.push_back(std::move(entry));
+    auto camera = line->entry(star, withStar(pattern, star));
+    if (!camera) continue;
+    camera->document = [line, star] { return cameraOf(Parts(line->find(star)), line->form); };
+    cameras.push_back(std::move(*camera));
   }
-  result.document = [partsOf, form, stars](std::size_t which) {
-    return cameraOf(Parts(partsOf(stars[which], false)), form);
-  };
-  return result;
-}  // namespace viewproj::cmd
+  return cameras;
+}
 
 bool hasParts(const Node& root, const std::vector<Part>& parts) {
   return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
     if (part.isOptional) return true;
-    if (hasStar(part)) return hasStars(root, part.value);
+    if (const auto paths = part.starredPaths(); !paths.empty()) return !starsOf(root, paths, 1).empty();
     try {
-      return find(root, part, "", isText(part.name)).has_value();
+      return find(root, part, "", isAmong(part.name, kTexts)).has_value();
     } catch (const InputError&) {
       return true;
     }

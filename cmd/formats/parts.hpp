@@ -6,27 +6,27 @@
 //   size         width, height
 //   distortion   k1 [k2 [p1 p2 [k3 [k4 k5 k6]]]]; fisheye k1 … k4; omni xi [k1 k2 [p1 p2 [k3]]]; doubleSphere xi alpha;
 //                unified alpha [beta]; fov omega
-//   lens, model  (rows of formats alone) coefficients whose model the file names
 //   cameraFromWorld, worldFromCamera 12 or 16, or their .rotation 9, .rotationVector 3, .quaternion x y z w,
 //                .quaternionWFirst, with .translation 3
-//   position, direction, target, up 3; euler 3 degrees; near, far 1; name a text
+//   position, direction, target, up 3; euler 3 degrees; name a text
+//
+// Of rows of formats alone:
+//
+//   lens         coefficients of the lens that the text `model`, the flag isFisheye or the number xi names
+//   cameraFromWorld  several matrices, whose product it is; beside a P of the form [K | t] what comes before t
+//   near, far 1; id a text
 #pragma once
 
-#include <array>
-#include <map>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "camera/document.hpp"
-#include "formats/format.hpp"
+#include "camera/camera_set.hpp"
 #include "formats/value.hpp"
 
 namespace viewproj::cmd {
 
-/// Throws UsageError beginning with label for a name that is no part. isRow: lens, model, near and far may be there.
+/// Throws UsageError beginning with label for a name that is no part. isRow: also for those of rows alone.
 void requireNames(const std::vector<Part>& parts, const std::string& label, bool isRow);
 
 /// How the cameras of a line are read.
@@ -37,7 +37,8 @@ struct PartsForm {
 
 /// The cameras of a line, one for each text of its stars. names: the pattern of their names; "*" is the star's text;
 /// empty: the segment that holds the star.
-Import importParts(const Node& root, std::vector<Part> parts, PartsForm form, std::string_view names);
+std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> parts, PartsForm form,
+                                        std::string_view names);
 
 /// Whether the file has all that the line needs, for one camera at least.
 bool hasParts(const Node& root, const std::vector<Part>& parts);

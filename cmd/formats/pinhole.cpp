@@ -1,7 +1,7 @@
 // What many formats have in common: a K, a 3x4 matrix, numbers that are texts.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/fields.hpp"
 #include "camera/split_matrix.hpp"
 #include "formats/format.hpp"
 #include "formats/value.hpp"
@@ -9,6 +9,8 @@
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 
 std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> m) {
   const std::size_t columns = m.size() == 9 ? 3 : 4;
@@ -26,8 +28,7 @@ std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> m) {
   return {at(0, 0), at(1, 1), at(0, 2), at(1, 2)};
 }
 
-Json pinholeCamera(std::span<const double> intrinsics, const std::optional<std::array<double, 2>>& size,
-                   double pixelCenter) {
+Json pinholeCamera(std::span<const double> intrinsics, const PictureSize& size, double pixelCenter) {
   Json camera{{"convention", "opencv"},
               {"position", {0, 0, 0}},
               {"rotation", {0, 0, 0, 1}},
@@ -59,14 +60,13 @@ Json rowsOf(std::span<const double> numbers, std::size_t columns) {
   return rows;
 }
 
-Json cameraOfMatrix(const Node& node, std::span<const double> p, const std::optional<std::array<double, 2>>& size) {
+Json cameraOfMatrix(const Node& node, std::span<const double> p, const PictureSize& size) {
   try {
     const SplitMatrix split = splitMatrix(p);
     requireNoSkew(split);
-    const double intrinsics[] = {detail::rounded(split.fx), detail::rounded(split.fy), detail::rounded(split.cx),
-                                 detail::rounded(split.cy)};
-    const Vec3 x = detail::rounded(split.columns[0]), y = detail::rounded(split.columns[1]),
-               z = detail::rounded(split.columns[2]), eye = detail::rounded(split.eye);
+    const double intrinsics[] = {rounded(split.fx), rounded(split.fy), rounded(split.cx), rounded(split.cy)};
+    const Vec3 x = rounded(split.columns[0]), y = rounded(split.columns[1]), z = rounded(split.columns[2]),
+               eye = rounded(split.eye);
     Json camera = pinholeCamera(intrinsics, size);
     setPose(
         camera, "worldFromCamera",
@@ -75,6 +75,18 @@ Json cameraOfMatrix(const Node& node, std::span<const double> p, const std::opti
   } catch (const CameraError& e) {
     node.fail(e.message());
   }
+}
+
+Json cameraBehind(const Node& node, std::span<const double> p, const PictureSize& size, Json poses) {
+  const std::vector<double> left{p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]};
+  const auto [fx, fy, cx, cy] = intrinsicsOf(node, left);
+  Json camera = pinholeCamera(std::array{fx, fy, cx, cy}, size);
+  // [K | p] = K [I | K^-1 p]
+  const DoubleDouble z = p[11], x = (DoubleDouble(p[3]) - DoubleDouble(cx) * z) / DoubleDouble(fx),
+                     y = (DoubleDouble(p[7]) - DoubleDouble(cy) * z) / DoubleDouble(fy);
+  poses.insert(poses.begin(), Json{{1, 0, 0, rounded(x)}, {0, 1, 0, rounded(y)}, {0, 0, 1, rounded(z)}});
+  setPose(camera, "cameraFromWorld", std::move(poses));
+  return camera;
 }
 
 std::vector<double> numbersOf(const Node& node, std::size_t count) {
@@ -87,8 +99,29 @@ std::vector<double> numbersOf(const Node& node, std::size_t count) {
 
 double numberOf(const Node& node) { return numbersOf(node, 1).front(); }
 
-void refuse(const Node& node, std::initializer_list<std::string_view> members, std::string_view why) {
-  for (const std::string_view name : members) {
+double numberAt(const Node& node, std::string_view member, double otherwise) {
+  const auto found = node.find(member);
+  return found ? numberOf(*found) : otherwise;
+}
+
+std::string textAt(const Node& node, std::string_view member) {
+  const auto found = node.json().is_object() ? node.find(member) : std::nullopt;
+  if (!found) return "";
+  found->mark();
+  return found->json().is_string() ? found->json().get<std::string>() : found->json().dump();
+}
+
+std::vector<Node> itemsAt(const Node& node, std::string_view member) {
+  const auto list = node.json().is_object() ? node.find(member) : std::nullopt;
+  if (!list) return {};
+  if (!list->json().is_array()) return {*list};
+  std::vector<Node> items;
+  for (std::size_t i = 0; i < list->size(); ++i) items.push_back((*list)[i]);
+  return items;
+}
+
+void refuse(const Node& node, std::string_view members, std::string_view why) {
+  for (const std::string_view name : wordsIn(members)) {
     const auto member = node.find(name);
     if (!member) continue;
     const Json& value = member->json();

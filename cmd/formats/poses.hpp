@@ -2,23 +2,20 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "camera/camera_set.hpp"
 
 namespace viewproj::cmd {
 
 struct PosesOfFile {
-  std::vector<CameraEntry> names;
-  /// worldFromCamera or cameraFromWorld, as the field's value. Throws InputError, also for a pose that is lost.
-  std::function<Json(std::size_t which)> pose;
-  /// The direction, if the file's form has one: "worldFromCamera", "cameraFromWorld"; or empty.
-  std::string direction;
+  Import poses{};           ///< each a camera without a lens; none if the file is of no form of poses
+  std::string field{};      ///< "worldFromCamera" or "cameraFromWorld"
+  bool isDirected = false;  ///< the file's form has this direction; else no number tells it
 };
 
 /// Whether a file holds poses alone.
 bool holdsPoses(const Node& root);
-/// Throws InputError if it holds none.
+/// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
 
 }  // namespace viewproj::cmd

@@ -8,19 +8,13 @@ namespace viewproj::cmd {
 namespace {
 
 struct Refusal {
-  std::string_view mark;
-  bool begins;  ///< the file begins with the mark; else it is among its first bytes
+  std::string_view marks;  ///< one of them, separated by "|"
+  bool begins;             ///< the file begins with the mark; else it is among its first bytes
   const char* why;
 };
 constexpr Refusal kRefusals[] = {
     {"version https://git-lfs", true, "is a pointer of Git LFS, not the file itself; git lfs pull fetches it"},
-    {"\x80\x02", true,
-     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
-    {"\x80\x03", true,
-     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
-    {"\x80\x04", true,
-     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
-    {"\x80\x05", true,
+    {"\x80\x02|\x80\x03|\x80\x04|\x80\x05", true,
      "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
     {"MATLAB 5.0", true, "is a MATLAB file; write its K as JSON: jsonencode(struct('K', cameraParams.Intrinsics.K))"},
     {"SQLite format 3", true, "is a database; colmap model_converter --output_type TXT writes the model of COLMAP"},
@@ -28,19 +22,16 @@ constexpr Refusal kRefusals[] = {
     {"PAR1", true, "is a Parquet file, which is not read; write a CSV of it"},
     {"ARROW1", true, "is a Feather file, which is not read; write a CSV of it"},
     {"BLENDER", true, "is a Blender file; export the camera as glTF"},
-    {"\xFF\xD8\xFF", true, "is a picture; exiftool -json -n writes where it was taken"},
-    {"\x89PNG", true, "is a picture; exiftool -json -n writes where it was taken"},
+    {"\xFF\xD8\xFF|\x89PNG", true, "is a picture; exiftool -json -n writes where it was taken"},
     {"ply\n", true, "is a mesh, which holds no camera"},
     {"PXR-USDC", true,
      "is USD in binary form; usdcat makes text of it, and --focal-length, --sensor-width, --position say its camera"},
     {"#usda", true,
      "is USD, which is not read; give focalLength and horizontalAperture to --focal-length and --sensor-width, and the "
-     "prim's place and "
-     "turn to --position and --euler"},
+     "prim's place and turn to --position and --euler"},
     {"%YAML 1.1\n%TAG !u!", true,
      "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
-     "--position and "
-     "m_LocalRotation to --rotation, with --convention unity"},
+     "--position and m_LocalRotation to --rotation, with --convention unity"},
     {"[gd_scene", true,
      "is a scene of Godot, which is not read; give fov to --fov-y, and the node's transform as worldFromCamera of a "
      "camera file"},
@@ -53,6 +44,19 @@ constexpr Refusal kRefusals[] = {
      "has a lens of the model SCARAMUZZA, which is not supported; undistort the pictures first"},
     {"'lensmodel'", false, "is a model of mrcal; mrcal-to-kalibr writes one that is read"},
     {"CAHVOR", false, "is of the CAHVOR family, which is not supported"},
+    {"CameraFocalPoint", false,
+     "is of ParaView, which is not read; give CameraPosition to --position, CameraFocalPoint to --target, CameraViewUp "
+     "to --up and CameraViewAngle to --fov-y"},
+    {"<kml", false,
+     "is KML, which is not read; give latitude, longitude and altitude to --position lat=A,lon=B,height=C, heading to "
+     "--heading, tilt - 90 to --pitch and roll to --roll"},
+    {"type: <class 'aslam", false, "is a report of Kalibr; its camchain is read"},
+    {":foc:", false,
+     "is of HALCON, which is not read; give Focus / Sx, Focus / Sy, Cx and Cy to --fx, --fy, --cx and --cy"},
+    {"Intrinsics with properties:", false,
+     "is what MATLAB shows; write its K as JSON: jsonencode(struct('K', intrinsics.K))"},
+    {"heading,pitch,roll,f,px,py", false,
+     "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side"},
     {"<sdf ", false,
      "is SDF, which is not read; give horizontal_fov to --fov-x and the pose to --position and --euler"},
     {"<mujoco", false,
@@ -65,8 +69,7 @@ constexpr Refusal kRefusals[] = {
      "--fov-y or --fov-x"},
     {"xcr:Rotation", false,
      "is of RealityCapture, which is not read; xcr:Position is the eye and xcr:Rotation cameraFromWorld by rows, "
-     "FocalLength35mm / 36 and "
-     "PrincipalPointU, V count the picture's larger side"},
+     "FocalLength35mm / 36 and PrincipalPointU, V count the picture's larger side"},
     {"CameraDefaults", false,
      "holds settings of AirSim; give FOV_Degrees to --fov-x, and the vehicle's place to --position"},
     {"fetch_sub_folder", false, "is of Xtreme1, which is not read"},
@@ -78,10 +81,13 @@ const char* refusalOf(std::string_view text) {
   constexpr std::size_t kMost = 1 << 16;
   const std::string_view start = withoutByteOrderMark(text.substr(0, kMost));
   const bool isText = start.find('\0') == std::string_view::npos;
-  for (const Refusal& refusal : kRefusals) {
-    if (refusal.begins ? start.starts_with(refusal.mark) : isText && start.find(refusal.mark) != std::string_view::npos)
-      return refusal.why;
-  }
+  for (const Refusal& refusal : kRefusals)
+    for (std::string_view rest = refusal.marks; !rest.empty();) {
+      const std::string_view mark = rest.substr(0, rest.find('|'));
+      if (refusal.begins ? start.starts_with(mark) : isText && start.find(mark) != std::string_view::npos)
+        return refusal.why;
+      rest.remove_prefix(std::min(mark.size() + 1, rest.size()));
+    }
   return nullptr;
 }
 

@@ -15,12 +15,14 @@ struct Row {
   std::string_view form;  ///< "a calibration of OpenCV"
   std::string_view when;  ///< what must be there, see claims.hpp
   /// The cameras, in the grammar of --parts (parts.hpp). Several lines are separated by "\n"; each may begin with the
-  /// pattern of its cameras' names and ": ". A line whose required parts are not there has no cameras.
+  /// pattern of its cameras' names and ": ". A line whose required parts are not there has no cameras. Of one that
+  /// begins with "!" this holds for its first part; of the others what is not there is missing.
   std::string_view lines;
+  std::string_view known = "";       ///< members that say nothing about the picture
   std::string_view containers = "";  ///< where its members may stand, separated by blanks; "." is the file itself
   double pixelCenter = 0;
   std::string_view cameraAxes = "RDF";
-  std::string_view known = "";  ///< members that say nothing about the picture
+  bool hasOtherFile = false;  ///< see addOtherFile()
 };
 
 std::span<const Row> rows();

@@ -114,29 +114,25 @@ Json documentOf(NodeTree& tree, std::size_t place) {
     camera.require("view").fail("is not supported for an orthographic camera; use viewport.crop");
   for (std::size_t at = place; at != NodeTree::kNone; at = tree.parents[at])
     if (const Node& object = tree.nodes[at]; !object.find("matrix") && !object.find("quaternion"))
-      refuse(object, {"rotation"}, "is not supported without a matrix or a quaternion");
+      refuse(object, "rotation", "is not supported without a matrix or a quaternion");
   Json document{{"convention", "opengl"}, {"projection", lensOf(camera)}};
   tree.addPose(document, place);
   return document;
 }
 
 Import open(const Node& root) {
-  NodeTree tree{"position", "quaternion"};
+  const auto tree = std::make_shared<NodeTree>("position", "quaternion");
   // The editor's app.json has the scene and the editor's own camera.
   for (const auto& part : {std::optional(root), root.find("camera"), root.find("scene")})
     if (part && part->json().is_object())
-      if (const auto object = part->find("object")) addObjects(tree, *object, NodeTree::kNone);
+      if (const auto object = part->find("object")) addObjects(*tree, *object, NodeTree::kNone);
   Import result;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const std::string type = textOf(tree.nodes[i], "type");
-    if (type != kPerspective && type != kOrthographic) continue;
-    result.cameras.push_back({textOf(tree.nodes[i], "name"), textOf(tree.nodes[i], "uuid")});
-    places.push_back(i);
+  for (std::size_t i = 0; i < tree->nodes.size(); ++i) {
+    const Node& object = tree->nodes[i];
+    const std::string type = textOf(object, "type");
+    if (type == kPerspective || type == kOrthographic)
+      result.add(textOf(object, "name"), textOf(object, "uuid"), [tree, i] { return documentOf(*tree, i); });
   }
-  result.document = [tree = std::move(tree), places](std::size_t which) mutable {
-    return documentOf(tree, places[which]);
-  };
   return result;
 }
 

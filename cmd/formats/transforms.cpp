@@ -33,7 +33,7 @@ struct Frame {
   }
 };
 
-Json lensModelOf(const Frame& at) {
+void readLens(const Frame& at, Json& camera) {
   const auto model = at.find("camera_model"), flag = at.find("is_fisheye"), all = at.find("distortion_params");
   std::string name = model ? model->text() : "";
   if (flag && flag->flag()) name = "OPENCV_FISHEYE";
@@ -54,8 +54,10 @@ Json lensModelOf(const Frame& at) {
   if (isFisheye && (c[4] != 0 || c[5] != 0)) fail(c[4] != 0 ? "p1" : "p2", "is not supported beside a fisheye lens");
   if (!isFisheye && c[3] != 0) fail("k4", "is not supported: programs do not agree on what it means");
   const Node& where = all ? *all : at.frame;
-  return isFisheye ? lensOf(where, name, std::vector{c[0], c[1], c[2], c[3]})
-                   : lensOf(where, name, std::vector{c[0], c[1], c[4], c[5], c[2]});
+  if (isFisheye)
+    setLens(camera, where, name, {c[0], c[1], c[2], c[3]});
+  else
+    setLens(camera, where, name, {c[0], c[1], c[4], c[5], c[2]});
 }
 
 /// The names for one axis of the picture.
@@ -110,17 +112,15 @@ Json lensOfFrame(const Frame& at) {
 
 Json documentOf(const Frame& at) {
   for (const Node& node : {at.file, at.frame}) {
-    refuse(node, {"rolling_shutter", "transform_matrix_start", "transform_matrix_end"},
+    refuse(node, "rolling_shutter transform_matrix_start transform_matrix_end",
            "is of a camera that moves during the picture, which is not supported");
-    refuse(
-        node,
-        {"equirectangular", "latlong", "orthographic", "ftheta_p0", "ftheta_p1", "ftheta_p2", "ftheta_p3", "ftheta_p4"},
-        "is of a lens that is not supported");
+    refuse(node, "equirectangular latlong orthographic ftheta_p0 ftheta_p1 ftheta_p2 ftheta_p3 ftheta_p4",
+           "is of a lens that is not supported");
   }
   Json document{{"convention", "opengl"},
                 {"worldFromCamera", at.frame.require("transform_matrix").mat4().m},
                 {"projection", lensOfFrame(at)}};
-  if (Json distortion = lensModelOf(at); !distortion.is_null()) document["distortion"] = std::move(distortion);
+  readLens(at, document);
   const auto w = at.number("w"), h = at.number("h");
   if (w && h) document["viewport"] = {{"width", *w}, {"height", *h}};
   return document;
@@ -130,13 +130,16 @@ Import open(const Node& root) {
   const Node frames = root.require("frames");
   Import result;
   result.apart = {&frames.json()};
-  for (const Json& frame : frames.json()) {
-    const Json value = frame.is_object() ? frame.value("file_path", Json()) : Json();
-    const std::string path = value.is_string() ? value.get<std::string>() : "";
-    result.cameras.push_back({path, path.starts_with("./") ? path.substr(2) : ""});
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Node frame = frames[i];
+    const std::string path = textAt(frame, "file_path");
+    result.add(
+        path, path.starts_with("./") ? path.substr(2) : "",
+        [root, frame] {
+          return documentOf({root, frame});
+        },
+        frame);
   }
-  result.document = [root, frames](std::size_t which) { return documentOf({root, frames[which]}); };
-  result.own = [frames](std::size_t which) { return std::optional(frames[which]); };
   return result;
 }
 

@@ -37,10 +37,15 @@ bool beginsWithHeading(std::string_view text) {
 
 /// A matrix {"rows", "cols", "data"} becomes its rows, or the list of its numbers if it has one row or column.
 void unfoldMatrices(Json& value) {
+  const auto sideOf = [&](const char* key) {
+    const auto numbers = value.contains(key) ? numbersIn(value[key]) : std::nullopt;
+    return numbers && numbers->size() == 1 ? numbers->front() : 1;
+  };
   if (value.is_object() && value.contains("data") && (value.contains("rows") || value.contains("cols")))
-    if (const auto numbers = numbersIn(value)) {
-      const std::vector<std::size_t> shape = shapeOf(value);
-      value = shape.size() == 2 ? rowsOf(*numbers, shape[1]) : Json(*numbers);
+    if (const auto numbers = value["data"].is_object() ? std::nullopt : numbersIn(value["data"])) {
+      const double rows = sideOf("rows"), columns = sideOf("cols");
+      const bool isMatrix = rows > 1 && columns > 1 && rows * columns == static_cast<double>(numbers->size());
+      value = isMatrix ? rowsOf(*numbers, static_cast<std::size_t>(columns)) : Json(*numbers);
       return;
     }
   if (value.is_structured() && !(value.is_array() && !value.empty() && value.front().is_number()))
@@ -106,6 +111,19 @@ std::string insideFolder(const std::string& source) {
 }
 
 }  // namespace
+
+void addOtherFile(const Document& file) {
+  std::error_code ignored;
+  for (const auto& [word, other] : {std::pair{"intri", "extri"}, {"extri", "intri"}}) {
+    std::string name = file.name;
+    const std::size_t at = name.rfind(word);
+    if (at == std::string::npos) continue;
+    name.replace(at, std::string_view(word).size(), other);
+    if (!std::filesystem::is_regular_file(pathOf(name), ignored)) continue;
+    const Document beside = readTree(name, "");
+    if (beside.root->is_object()) file.root->insert(beside.root->begin(), beside.root->end());
+  }
+}
 
 Document readTree(const std::string& source, const std::string& option) {
   const bool isInline = isInlineJson(source);

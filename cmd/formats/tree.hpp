@@ -15,6 +15,9 @@ namespace viewproj::cmd {
 /// do.
 Document readTree(const std::string& source, const std::string& option);
 
+/// Adds the members of the file beside it to a file called intri…, or extri…: the same name with the other word.
+void addOtherFile(const Document& file);
+
 /// The beginning of a binary glTF is read as its JSON. Throws InputError, also for more than `most` bytes.
 std::string readWithoutGlb(const std::string& name, std::size_t most);
 

@@ -1,34 +1,43 @@
 #include "formats/unread.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <unordered_set>
 
-#include "formats/claims.hpp"
+#include "camera/fields.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
 constexpr std::string_view kPoseWords =
     "pose poses extrinsic extrinsics transform transformation rotation rot quat quaternion orientation translation "
-    "trans rvec "
-    "tvec rvecs tvecs r t rt c2w w2c cam2world world2cam euler ypr rpy xyz position location center centre eye matrix";
+    "trans rvec tvec rvecs tvecs r t rt c2w w2c cam2world world2cam euler ypr rpy xyz position location center centre "
+    "eye matrix";
 /// One number of a pose, beside the numbers of a camera.
 constexpr std::string_view kPoseNumbers =
-    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa";
+    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa pan tilt";
 constexpr std::string_view kLensWords =
     "dist disto distortion distortions xi alpha skew crop binning offset shift rectif zoom rolling mirror poly "
-    "polynomial "
-    "tangential radial ftheta fisheye";
+    "polynomial tangential radial ftheta fisheye kappa gamma s prism rotate rotated flip flipped aspect scale resize "
+    "downsample";
+/// Ratios, of which 1 says nothing.
+constexpr std::string_view kRatios = "binning zoom ratio aspect scale downsample gamma resize";
+/// What belongs to pictures that were undistorted or cropped.
+constexpr std::string_view kOfOtherPictures =
+    "newcameramtx newcameramatrix newmtx newk optimalcameramatrix map1 map2 mapx mapy roi";
 /// Pictures that are no pinhole's, as a text or a flag names them.
 constexpr std::string_view kProjections =
     "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic";
+constexpr std::string_view kFlags = "flip flipped mirror mirrored";
 /// Members that no format reads and that say nothing about the picture.
 constexpr std::string_view kKnown =
     "T_imu_body timestamp* time date *_time version* units unit description name id index serial* frame_id seq stamp "
-    "sec nsec "
-    "class_name comment* license $schema";
+    "sec nsec class_name comment* license $schema depth* *_id *_index *fps exposure* gain iso* *count num_* n_*";
 
 bool areZero(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
@@ -48,8 +57,8 @@ bool isNothing(const std::vector<double>& m) {
 
 bool isCoefficient(std::string_view name) {
   const std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
-  return letters.size() == 2 && (letters[0] == 'k' || letters[0] == 'p' || letters[0] == 's') && letters[1] >= '1' &&
-         letters[1] <= '8';
+  return letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
+         letters[1] >= '1' && letters[1] <= '8';
 }
 
 /// The numbers of a value, or of the first item of a list of them.
@@ -61,102 +70,157 @@ std::vector<double> oneOf(const Node& node, const std::vector<double>& numbers) 
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
+/// Where a member stands: beside one that was read or an object of such, in an object that is beside one, or elsewhere.
+enum class Nearness { far, inside, beside };
+
+struct Left {
+  Node node;
+  std::vector<double> numbers;
+  std::string name;
+  Nearness nearness;
+};
+struct Lists {
+  std::vector<Left> left;
+  std::vector<std::vector<double>> read;
+};
+
+/// Judges what is left of a file after a camera of it was read. Several threads may ask for cameras.
+class Unread {
+ public:
+  Unread(std::shared_ptr<Document> file, const Import& cameras, std::string_view known)
+      : file_(std::move(file)), known_(wordsIn(known)), apart_(cameras.apart.begin(), cameras.apart.end()) {
+    for (const std::string_view name : wordsIn(kKnown)) known_.push_back(name);
+    for (const CameraEntry& camera : cameras.cameras)
+      if (camera.own) apart_.insert(&camera.own->json());
+  }
+
+  Json document(const CameraEntry& camera, std::size_t which) {
+    const std::lock_guard lock(mutex_);
+    Json made = camera.document();
+    if (std::string names = known_.front() == "*" ? "" : judge(camera.own); !names.empty())
+      notes_[which] = std::move(names);
+    return made;
+  }
+  std::string note(std::size_t which) {
+    const std::lock_guard lock(mutex_);
+    const auto found = notes_.find(which);
+    return found == notes_.end() ? "" : found->second;
+  }
+
+ private:
+  std::string judge(const std::optional<Node>& own) {
+    if (!shared_) {
+      Lists lists;
+      walk(Node(*file_), "", 0, Nearness::far, lists);
+      shared_ = std::move(lists);
+    }
+    Lists lists;
+    if (own) {
+      apart_.erase(&own->json());
+      walk(*own, "", 0, Nearness::far, lists);
+      apart_.insert(&own->json());
+    }
+    constexpr std::size_t kMost = 8;
+    std::vector<std::string> names;
+    for (const Left& left : lists.left) judge(left, lists, names);
+    for (const Left& left : shared_->left) judge(left, lists, names);
+    const bool isMore = names.size() > kMost;
+    names.resize(std::min(names.size(), kMost));
+    return joined(names) + (isMore ? " and more" : "");
+  }
+
+  bool isKnown(std::string_view name) const {
+    return std::any_of(known_.begin(), known_.end(),
+                       [&](std::string_view pattern) { return fitsPattern(name, pattern); });
+  }
+
+  /// Whether members or items of it were read one by one.
+  bool isReadInParts(const Json& value) const {
+    return value.is_structured() &&
+           std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(*file_, part, "").isMarked(); });
+  }
+
+  void walk(const Node& node, std::string_view name, std::size_t depth, Nearness nearness, Lists& lists) const {
+    constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
+    const Json& value = node.json();
+    if (depth > 0 && apart_.contains(&value)) return;
+    const bool isRead = node.isMarked(), isInParts = !isRead && isReadInParts(value);
+    const bool isNumbers = depth > 0 && !isInParts && !value.is_null() && !value.is_boolean() && !value.empty();
+    const auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
+    const bool isOfOther = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
+                           : value.is_array()
+                               ? isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers))
+                               : value == true && (hasWord(name, kProjections) || hasWord(name, kFlags));
+    if (!isRead && isOfOther && !value.empty()) lists.left.push_back({node, {}, std::string(name), nearness});
+    if (numbers) {
+      if (numbers->size() > kMostNumbers) return;
+      if (isRead)
+        lists.read.push_back(*numbers);
+      else if (!isNothing(*numbers))
+        lists.left.push_back({node, *numbers, std::string(name), nearness});
+      return;
+    }
+    if (isRead || depth == kDeepestLevel) return;
+    if (value.is_object()) {
+      const bool isBeside = isInParts || std::any_of(value.begin(), value.end(), [&](const Json& part) {
+                              return part.is_object() && isReadInParts(part);
+                            });
+      const Nearness inside = isBeside                       ? Nearness::beside
+                              : nearness == Nearness::beside ? Nearness::inside
+                                                             : Nearness::far;
+      for (const auto& [key, member] : value.items())
+        if (!isKnown(key)) walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, inside, lists);
+    } else if (value.is_array() && value.size() <= kMostNumbers) {
+      for (std::size_t i = 0; i < value.size(); ++i)
+        walk(Node(*file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, Nearness::far, lists);
+    }
+  }
+
+  void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
+    for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
+      if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
+    if (!left.numbers.empty() && hasWord(left.name, kNoise)) return;
+    const std::vector<double> m = oneOf(left.node, left.numbers);
+    const std::size_t count = m.size();
+    const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
+    const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
+    const bool isPoseNumber =
+        count == 1 && left.nearness != Nearness::far && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
+    if (isPoseNumber ||
+        (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
+         !isNothing(m)))
+      left.node.fail(
+          "is not read, and may be the camera's pose: call it cameraFromWorld or worldFromCamera, or take it out; "
+          "--parts reads it under any name");
+    if (count == 9 && isIntrinsic(m))
+      left.node.fail("is not read, and is another K than the one that is; take one of them out");
+    const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, kRatios);
+    const bool isLens = count == 0 || hasWord(left.name, kLensWords) || isCoefficient(left.name);
+    if (isLens && !isOne && count <= 16)
+      left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
+    const bool isNumberBeside = count == 1 && left.nearness == Nearness::beside && m.front() != 1;
+    if (count < 3 && !isNumberBeside) return;
+    names.push_back(left.node.path());
+  }
+
+  std::shared_ptr<Document> file_;
+  std::vector<std::string_view> known_;  ///< patterns of names
+  std::unordered_set<const void*> apart_;
+  std::optional<Lists> shared_;  ///< of what belongs to no camera alone
+  std::unordered_map<std::size_t, std::string> notes_;
+  std::mutex mutex_;
+};
+
 }  // namespace
 
-Unread::Unread(const Document& file, const Import& result, std::string_view known)
-    : file_(file), known_(known), own_(result.own), apart_(result.apart.begin(), result.apart.end()) {
-  for (std::size_t i = 0; own_ && i < result.cameras.size(); ++i)
-    if (const auto node = own_(i)) apart_.insert(&node->json());
-}
-
-bool Unread::isKnown(std::string_view name) const {
-  for (std::string_view rest : {known_, kKnown})
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(' '), rest.size());
-      if (end > 0 && fitsPattern(name, rest.substr(0, end))) return true;
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-  return false;
-}
-
-void Unread::walk(const Node& node, std::string_view name, std::size_t depth, bool isBesideRead, Lists& lists) const {
-  constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
-  const Json& value = node.json();
-  if (depth > 0 && apart_.contains(&value)) return;
-  const bool isRead = node.isMarked();
-  // Members or items of it may have been read one by one.
-  const bool isReadInParts =
-      !isRead && value.is_structured() &&
-      std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(file_, part, "").isMarked(); });
-  const bool isProjection = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
-                                              : value == true && hasWord(name, kProjections);
-  if (!isRead && isProjection) lists.left.push_back({node, {}, std::string(name), isBesideRead});
-  const bool isNumbers = depth > 0 && !isReadInParts && !value.is_null() && !value.is_boolean() && !value.empty();
-  if (const auto numbers = isNumbers ? numbersIn(value) : std::nullopt) {
-    if (numbers->size() > kMostNumbers) return;
-    if (isRead)
-      lists.read.push_back(*numbers);
-    else if (!isNothing(*numbers))
-      lists.left.push_back({node, *numbers, std::string(name), isBesideRead});
-    return;
+Import judged(const std::shared_ptr<Document>& file, Import cameras, std::string_view known) {
+  const auto unread = std::make_shared<Unread>(file, cameras, known);
+  for (std::size_t i = 0; i < cameras.cameras.size(); ++i) {
+    CameraEntry& camera = cameras.cameras[i];
+    camera.document = [unread, camera, i] { return unread->document(camera, i); };
   }
-  if (isRead || depth == kDeepestLevel) return;
-  if (value.is_object())
-    for (const auto& [key, member] : value.items()) {
-      if (!isKnown(key)) walk(Node(file_, member, joinedPath(node.path(), key)), key, depth + 1, isReadInParts, lists);
-    }
-  else if (value.is_array() && value.size() <= kMostNumbers)
-    for (std::size_t i = 0; i < value.size(); ++i)
-      walk(Node(file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, false, lists);
-}
-
-void Unread::judge(const Left& left, const Lists& lists, std::string& names) const {
-  for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
-    if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
-  if (hasWord(left.name, kNoise)) return;
-  const std::vector<double> m = oneOf(left.node, left.numbers);
-  const std::size_t count = m.size();
-  const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
-  const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
-  const bool isPoseNumber =
-      count == 1 && left.isBesideRead && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
-  if (isPoseNumber ||
-      (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) && !isNothing(m)))
-    left.node.fail(
-        "is not read, and may be the camera's pose: call it cameraFromWorld or worldFromCamera, or take it out; "
-        "--parts reads "
-        "it under any name");
-  if (count == 9 && isIntrinsic(m))
-    left.node.fail("is not read, and is another K than the one that is; take one of them out");
-  const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, "binning zoom ratio");
-  const bool isLens = count == 0 || hasWord(left.name, kLensWords) || isCoefficient(left.name);
-  if (isLens && !isOne && count <= 16)
-    left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
-  if (count < 3) return;
-  names += (names.empty() ? "" : ", ") + left.node.path();
-}
-
-std::string Unread::judge(std::size_t which) {
-  if (known_ == "*") return "";
-  const Node root(file_);
-  if (!shared_) {
-    Lists lists;
-    walk(root, "", 0, false, lists);
-    shared_ = std::move(lists);
-  }
-  std::string names;
-  Lists lists;
-  if (const auto own = own_ ? own_(which) : std::nullopt) {
-    apart_.erase(&own->json());
-    walk(*own, "", 0, false, lists);
-    apart_.insert(&own->json());
-  }
-  constexpr std::size_t kMost = 8;
-  for (const Left& left : lists.left) judge(left, lists, names);
-  for (const Left& left : shared_->left) judge(left, lists, names);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < kMost && at != std::string::npos; ++i) at = names.find(", ", at + 1);
-  return at == std::string::npos ? names : names.substr(0, at) + " and more";
+  cameras.unread = [unread](std::size_t which) { return unread->note(which); };
+  return cameras;
 }
 
 }  // namespace viewproj::cmd

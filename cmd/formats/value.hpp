@@ -5,7 +5,9 @@
 //   term  = path { "|" path } [ "?" ]   the first that is there; ? may be absent
 //   path  = member { "." member } { "^T" | "/" number | "[" index or slice { "," … } "]" }, or a number
 //
-// A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star.
+// A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star. In rows of
+// formats "%" is a star of digits, "name~" the first name that begins so, and a last member "#" the coefficients of a
+// lens by their names. Empty lists are absent, and so are texts that a star alone stands for.
 #pragma once
 
 #include <functional>
@@ -19,73 +21,65 @@
 
 namespace viewproj::cmd {
 
-/// The numbers of a value: a number, a text that is only numbers, arrays, a matrix {"rows", "cols", "data"}, or an
-/// object whose names are known to have an order, such as {"x", "y", "z"}. Nothing if it holds anything else.
+/// The numbers of a value: a number, a text that is only numbers, arrays, or an object whose names are known to have an
+/// order, such as {"x", "y", "z"}. Nothing if it holds anything else.
 std::optional<std::vector<double>> numbersIn(const Json& value);
 /// Its dimensions without those of 1; {1} for one number. The value holds numbers.
 std::vector<std::size_t> shapeOf(const Json& value);
+/// A matrix of numbers by rows, by columns.
+std::vector<double> transposed(const std::vector<double>& byRows, std::size_t columns);
 
-struct Operation {
-  enum Kind { transpose, divide, choose } kind;
-  double divisor = 1;
-  std::vector<std::pair<std::size_t, std::size_t>> ranges{};  ///< first, end; kToEnd
-};
-inline constexpr std::size_t kToEnd = static_cast<std::size_t>(-1);
+/// What is done to the numbers of a value: ^T, /number or [indices].
+using Operation = std::function<std::vector<double>(const Node& value, const std::vector<double>& numbers)>;
 
 struct Path {
   std::string text;  ///< without its operations
   std::vector<Operation> operations{};
   std::optional<double> number{};  ///< if the text is one
+  bool isOfCoefficients = false;   ///< text is the object whose members they are
+  bool isNumbered = false;         ///< the star is digits
 };
 struct Term {
   std::vector<Path> paths;
   bool isOptional = false;
 };
 using Sum = std::vector<Term>;
-using Value = std::vector<Sum>;
 
 /// name=value; a name that ends in ? may be absent.
 struct Part {
   std::string name;
   bool isOptional = false;
-  Value value;
+  std::vector<Sum> value{};
+
+  /// Those of its paths that have a star.
+  std::vector<const Path*> starredPaths() const;
 };
 
-/// Reads "name=value, name=value". Throws UsageError beginning with label.
-std::vector<Part> parseParts(std::string_view line, const std::string& label);
-/// Every path stands below a container, except those that begin with "/".
-void placeUnder(std::vector<Part>& parts, std::string_view container);
+/// Reads "name=value, name=value". Every path stands below the container, except those that begin with "/"; "." is the
+/// container. Throws UsageError beginning with label.
+std::vector<Part> parseParts(std::string_view line, const std::string& label, std::string_view container = "");
 
 /// The value at a path without a star. Null values count as absent.
 std::optional<Node> valueAt(const Node& root, std::string_view path);
 /// The path with the star replaced.
 std::string withStar(std::string_view path, std::string_view star);
-bool hasStar(const Part& part);
-/// Calls visit with each text that the star of a path stands for, until it returns false.
-void eachStar(const Node& root, std::string_view path, const std::function<bool(std::string_view star)>& visit);
-/// The texts that the star stands for, in the file's order (members of objects by name, numbers by their size).
-std::vector<std::string> starsOf(const Node& root, std::string_view path);
-/// Of the first paths of the value that have one.
-std::vector<std::string> starsOf(const Node& root, const Value& value);
-
-/// Whether one of its paths has one.
-bool hasStars(const Node& root, const Value& value);
+/// Calls visit with each text that the star of a path stands for, until it returns false. Whether there is any.
+bool eachStar(const Node& root, std::string_view path, const std::function<bool(std::string_view star)>& visit);
+/// What the stars of paths stand for, in the file's order: members of objects by name, numbers by their size. Stops
+/// where there are `most` of them.
+std::vector<std::string> starsOf(const Node& root, const std::vector<const Path*>& paths, std::size_t most = SIZE_MAX);
 
 /// What a part holds for one star.
 struct Found {
   std::vector<double> numbers{};
   std::string text{};                                   ///< of a part that is a text
-  std::vector<std::pair<std::string, double>> named{};  ///< of a path with "#": by the name of a coefficient
+  std::vector<std::pair<std::string, double>> named{};  ///< coefficients by name
   std::vector<Node> nodes{};                            ///< what was read
+  std::vector<std::size_t> ends{};                      ///< of each node's numbers
 };
 
 /// The part's value; nothing if it is not in the file. Throws InputError naming part and path if some of it is missing
 /// or is no numbers. isText: the part is a text.
 std::optional<Found> find(const Node& root, const Part& part, std::string_view star, bool isText);
-/// "K: cameras.cam1.K" for messages.
-std::string placeOf(const Part& part, std::string_view star);
-
-/// Marks what was read.
-void mark(const Found& found);
 
 }  // namespace viewproj::cmd

@@ -33,6 +33,12 @@ std::vector<std::string> wordsOf(std::string_view name) {
   return words;
 }
 
+std::string lowered(std::string_view text) {
+  std::string all;
+  for (const char c : text) all += lower(c);
+  return all;
+}
+
 std::string lettersOf(std::string_view name) {
   std::string letters;
   for (const char c : name)
@@ -102,12 +108,16 @@ bool isProjection(const std::vector<double>& m, double least) {
   return fx > least && fy > least && fx / fy > 0.1 && fx / fy < 10 && skew < 0.01 * fx * fy && cx > 0 && cy > 0;
 }
 
-std::vector<double> transposed(const std::vector<double>& m) {
-  const std::size_t n = m.size() == 9 ? 3 : 4;
-  std::vector<double> turned;
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i) turned.push_back(m[i * n + j]);
-  return turned;
+bool isIntrinsic(const std::vector<double>& m) {
+  if (m.size() != 9 && m.size() != 12 && m.size() != 16) return false;
+  const std::size_t columns = m.size() == 9 ? 3 : 4;
+  const auto at = [&](std::size_t i, std::size_t j) { return m[i * columns + j]; };
+  constexpr double kLeast = 5;
+  if (!(at(0, 0) > kLeast && at(1, 1) > kLeast) || at(1, 0) != 0 || at(2, 0) != 0 || at(2, 1) != 0 || at(2, 2) != 1)
+    return false;
+  for (std::size_t i = 0; columns == 4 && i < 3; ++i)
+    if (at(i, 3) != 0) return false;
+  return m.size() != 16 || (m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1);
 }
 
 }  // namespace viewproj::cmd

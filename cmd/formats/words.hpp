@@ -11,6 +11,8 @@ namespace viewproj::cmd {
 /// The words of a name, in lower case: cut at what is no letter or digit, at aB, and between letters and digits.
 /// "cameraMatrix1" is camera, matrix, 1.
 std::vector<std::string> wordsOf(std::string_view name);
+/// In lower case.
+std::string lowered(std::string_view text);
 /// The letters and digits of a name, in lower case.
 std::string lettersOf(std::string_view name);
 /// Whether a text is one of words separated by blanks.
@@ -26,15 +28,13 @@ bool isRotation(const std::vector<double>& m);
 bool isRigid(const std::vector<double>& m);
 /// 12 numbers, or 16 with a last row of 0 0 0 1, that are K [R | t] with focal lengths above `least` and no skew.
 bool isProjection(const std::vector<double>& m, double least);
-/// By columns: of 9 or 16 numbers.
-std::vector<double> transposed(const std::vector<double>& m);
+/// A K by rows: 3 rows of 3, or 3 or 4 rows of 4 with a fourth column of zeros.
+bool isIntrinsic(const std::vector<double>& m);
 
 /// Words of members that are statistics, boards, or of another picture.
 inline constexpr std::string_view kNoise =
     "error errors err std stddev deviation deviations covariance cov uncertainty rms homography fundamental essential "
-    "board "
-    "square corner corners points map roi new optimal rect rectified rectification undistorted mean initial init gyro "
-    "gyr acc "
-    "accel noise bias time stamp timestamp color colour";
+    "board square corner corners points map roi new optimal rect rectified rectification undistorted mean initial init "
+    "gyro gyr acc accel noise bias time stamp timestamp color colour";
 
 }  // namespace viewproj::cmd

@@ -1,13 +1,18 @@
-// Writers of formats that rows read: OpenCV's FileStorage, ROS's camera_info, 3D Gaussian splatting, Open3D. Sources:
-// OpenCV's persistence.hpp, ROS's camera_calibration_parsers, gaussian-splatting's camera_utils, Open3D's
-// PinholeCameraTrajectory.
+// Writers of formats that rows read: OpenCV's FileStorage, ROS's camera_info, KITTI, 3D Gaussian splatting, Open3D.
+// Sources: OpenCV's persistence.hpp, ROS's camera_calibration_parsers, KITTI's development kit, gaussian-splatting's
+// camera_utils, Open3D's PinholeCameraTrajectory.
 #include <algorithm>
+#include <tuple>
 
 #include "formats/writer.hpp"
+#include "numbers/vectors.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
+
 namespace {
 
 std::array<double, 9> matrixOf(const Intrinsics& k) { return {k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1}; }
@@ -101,6 +106,20 @@ std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::s
   add("distortion_coefficients", 1, c);
   add("rectification_matrix", 3, std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   add("projection_matrix", 3, std::array<double, 12>{k[0], 0, k[2], 0, 0, k[4], k[5], 0, 0, 0, 1, 0});
+  return {{"", text}};
+}
+
+std::vector<WrittenFile> writeKitti(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string text;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Intrinsics k = atCentres(cameras[i]);
+    const auto m = cameraFromWorld(cameras[i]);
+    text += "P" + std::to_string(i) + ":";
+    for (const auto& [f, c, row] : {std::tuple(k.fx, k.cx, std::size_t{0}), {k.fy, k.cy, 4}, {0.0, 1.0, 8}})
+      for (std::size_t j = 0; j < 4; ++j)
+        text += " " + formatNumber(rounded(twoProd(f, m[row + j]) + twoProd(c, m[8 + j])));
+    text += "\n";
+  }
   return {{"", text}};
 }
 

@@ -171,7 +171,7 @@ TEST_CASE("exactly one format claims a file, and none a camera of ours") {
     CHECK(claimants(readTree(ours, "FILE")).empty());
 }
 
-TEST_CASE("a member that is renamed changes the camera, is named, or is an error") {
+TEST_CASE("a member that is renamed, deleted or added changes the camera, is named, or is an error") {
   std::size_t changed = 0, named = 0, refused = 0;
   for (const Sample& sample : kSamples) {
     // Trees of nodes and projects have hundreds of members that are no camera's.
@@ -183,30 +183,155 @@ TEST_CASE("a member that is renamed changes the camera, is named, or is an error
     const auto before = openCameras(root.dump(), {.option = "FILE"}, {});
     std::vector<std::string> cameras;
     for (std::size_t i = 0; i < before->size(); ++i) cameras.push_back(before->document(i).root->dump());
+    const auto isTold = [&] {
+      try {
+        const auto after = openCameras(root.dump(), {.option = "FILE"}, {});
+        if (after->size() != cameras.size()) return ++changed > 0;
+        for (std::size_t i = 0; i < after->size(); ++i) {
+          if (after->document(i).root->dump() != cameras[i]) return ++changed > 0;
+          if (!after->unreadOf(i).empty()) return ++named > 0;
+        }
+      } catch (const InputError&) {
+        return ++refused > 0;
+      }
+      return false;
+    };
     eachNumbers(root, "", [&](Json& parent, const std::string& key, const std::string& path) {
       INFO(sample.text);
       INFO(path);
       Json value = parent[key];
       parent.erase(key);
+      CHECK(isTold());
       parent[key + "q"] = value;
-      bool isTold = false;
-      try {
-        const auto after = openCameras(root.dump(), {.option = "FILE"}, {});
-        if (after->size() != cameras.size()) isTold = ++changed > 0;
-        for (std::size_t i = 0; i < after->size() && !isTold; ++i) {
-          if (after->document(i).root->dump() != cameras[i]) isTold = ++changed > 0;
-          if (!after->unreadOf(i).empty()) isTold = ++named > 0;
-        }
-      } catch (const InputError&) {
-        isTold = ++refused > 0;
-      }
-      CHECK(isTold);
+      CHECK(isTold());
       parent.erase(key + "q");
       parent[key] = std::move(value);
     });
+    // Lists of numbers, a pose, a part of a lens and a crop, beside the first member that is read.
+    Json& beside = root.is_array() ? root.front() : root;
+    for (const auto& [key, value] : {std::pair{"levels", Json{1.5, 2.5, 3.5}},
+                                     {"sensor_pose", Json{0.5, 0.5, 0.5, 0.5, 1, 2, 3}},
+                                     {"extraSkew", Json(0.5)},
+                                     {"crop", Json{1, 2, 30, 40}}}) {
+      INFO(sample.text);
+      INFO(key);
+      beside[key] = value;
+      CHECK(isTold());
+      beside.erase(key);
+    }
   }
-  CHECK(changed > 20);
-  CHECK(refused > 50);
+  CHECK(changed > 40);
+  CHECK(named > 10);
+  CHECK(refused > 100);
+}
+
+TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an object beside it") {
+  const std::pair<const char*, const char*> kRefused[] = {
+      {R"({"extrinsic": {"baseline": 0.2, "pitch": 0.04, "x": 1.7}, "intrinsic": {"fx": 500, "fy": 500, "u0": 320, "v0": 240}})",
+       "extrinsic.pitch"},
+      {R"({"LEFT": {"fx": 500, "fy": 500, "cx": 320, "cy": 240}, "STEREO": {"baseline": 120, "TY": 0.05}})",
+       "STEREO.TY"},
+      {R"({"intrinsics": {"fx": 500, "fy": 500, "cx": 320, "cy": 240}, "yaw": 10})", "yaw"},
+      {R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "rotate": 90})", "rotate"},
+      {R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "flip": true})", "flip"},
+      {R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "t1": 0.01})", "t1"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "roi": [1, 2, 90, 40]})", "roi"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "new_K": [90, 0, 50, 0, 100, 25, 0, 0, 1]})", "new_K"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "map1": [[1, 2], [3, 4]]})", "map1"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "D": [0.1, 0.2, 0.3, 0.4], "w": 100, "h": 50})",
+       "--parts 'K=K, fisheye=D, size=w+h'"},
+      {R"({"camera_path": [{"camera_to_world": [1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 10, 0, 0, 0, 1], "fov": 150}],
+           "camera_type": "fisheye", "render_height": 1080, "render_width": 1920})",
+       "camera_type"},
+  };
+  for (const auto& [text, place] : kRefused) {
+    INFO(text);
+    const std::string got = messageOf(text);
+    INFO(got);
+    CHECK(got.find(place) != std::string::npos);
+  }
+  // One that is alone names what it is of.
+  CHECK(messageOf(kRefused[3].first).find("rotate") != std::string::npos);
+  const auto named =
+      openCameras(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "baseline": 0.12})", {.option = "FILE"}, {});
+  (void)named->document(0);
+  CHECK(named->unreadOf(0) == "baseline");
+}
+
+TEST_CASE("forms of formats that are less common are read") {
+  struct Read {
+    const char* text;
+    const char* pick;
+    std::size_t cameras;
+    const char* part;  ///< of the camera's document
+  };
+  const Read kRead[] = {
+      {R"({"cameras": {"a": {"model": "standard", "K": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "dist": [0.1, 0.2, 0, 0, 0], "image_size": [100, 50]},
+                       "b": {"model": "rational", "K": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "dist": [0.1, 0.2, 0, 0, 0], "image_size": [100, 50]}},
+           "camera_poses": {"a": {"R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "T": [0, 0, 0]},
+                            "b_to_a": {"R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "T": [7, 0, 0]}}})",
+       "b", 2, R"("translation":[7)"},
+      {R"({"w": 100, "h": 50, "K": [100, 0, 0, 0, 110, 0, 50, 25, 1], "poses": [[0, 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 1, 2, 3]],
+           "perFrameIntrinsicCoeffs": [[100, 110, 50, 25], [105, 106, 51, 26]]})",
+       "1", 2, R"("fx":105)"},
+      {R"({"world_mat_0": [[100, 0, 50, 1], [0, 110, 25, 2], [0, 0, 1, 3], [0, 0, 0, 1]],
+           "world_mat_inv_0": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})",
+       "", 1, R"("fx":100)"},
+      {R"({"camera model m": "K [R|-Rt] X", "a.jpg": [100, 50, 100, 0, 50, 0, 110, 25, 0, 0, 1, 0.1, 0.2, 0.3, 0.01, 0.02, 1, 2, 3, 1, 0, 0, 0, 1, 0, 0, 0, 1]})",
+       "", 1, R"("position":[1)"},
+      {R"({"cam_model": "Pinhole", "cam_width": 100, "cam_height": 50, "cam_fx": 100, "cam_fy": 110, "cam_cx": 50, "cam_cy": 25,
+           "cam_d0": 0.1, "cam_d1": 0.2, "cam_d2": 0.01, "cam_d3": 0.02})",
+       "", 1, R"("p":[0.01,0.02])"},
+      {R"([{"name": "a", "x": 1, "y": null, "z": 3, "target.x": 0, "target.y": 0, "target.z": 0, "fx": 100, "fy": 100}])",
+       "", 1, R"("fx":100)"},
+      {R"({"lens": {"camera_matrix": [], "size": []}, "fisheye_params": {"camera_matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]],
+           "distortion_coeffs": [0.1, 0.2, 0.3, 0.4]}})",
+       "", 1, R"("model":"fisheye")"},
+  };
+  for (const auto& [text, pick, count, part] : kRead) {
+    INFO(text);
+    INFO(messageOf(text, pick));
+    const auto cameras = openCameras(text, {.option = "FILE"}, {});
+    CHECK(cameras->size() == count);
+    const std::string document = cameraOf(text, pick).dump();
+    INFO(document);
+    CHECK(document.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("poses are read from what people hold, and the option's direction counts where no form has one") {
+  const auto poseOf = [](const std::string& source, const std::string& direction) {
+    Opening opening{.option = "FILE"};
+    opening.poses = {source};
+    opening.direction = direction;
+    const auto cameras = openPoses(opening, {});
+    return (*cameras->document(0).root)[direction];
+  };
+  for (const char* direction : {"worldFromCamera", "cameraFromWorld"}) {
+    const Json turn = Json::parse(R"({"rotation": [0, 0, 0, 1], "translation": [1, 2, 3]})");
+    for (
+        const char* source :
+        {R"({"rotation": [0, 0, 0, 1], "translation": [1, 2, 3]})",
+         R"({"position": {"x": 1, "y": 2, "z": 3}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}})",
+         R"({"header": {"seq": 3}, "pose": {"position": {"x": 1, "y": 2, "z": 3}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}})"})
+      CHECK(poseOf(source, direction) == turn);
+    CHECK(poseOf("1,2,3 quat:0,0,0,1", direction) == turn);
+    CHECK(poseOf("1,2,3 rvec:0,0,1", direction)["rotationVector"] == Json{0, 0, 1});
+    const File stack("stack.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 4 0 1 0 5 0 0 1 6\n");
+    CHECK(poseOf(stack.name() + "#0", direction)[2][3] == 3);
+  }
+  const File velodyne("calib_velo_to_cam.txt", "calib_time: 15-Mar\nR: 1 0 0 0 1 0 0 0 1\nT: 1 2 3\ndelta_f: 0 0\n");
+  CHECK(poseOf(velodyne.name(), "cameraFromWorld")["translation"] == Json{1, 2, 3});
+  // The pose of a camera, and the note where it is replaced.
+  const std::string camera =
+      R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "T_world_cam": [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]]})";
+  CHECK(poseOf(camera, "worldFromCamera")[0][3] == 1);
+  Opening opening{.option = "FILE"};
+  opening.poses = {"7,8,9 quat:0,0,0,1"};
+  opening.direction = "worldFromCamera";
+  const auto cameras = openCameras(camera, opening, {});
+  (void)cameras->document(0);
+  CHECK(cameras->unreadOf(0) == "its own pose, which --world-from-camera replaces");
 }
 
 TEST_CASE("numbers mean what the format says") {
@@ -311,7 +436,8 @@ TEST_CASE("a line of parts and paths makes a camera") {
 TEST_CASE("stars are in the file's order, numbers by their size") {
   const Document file =
       readTree(R"({"cam10": {"k": 1}, "cam2": {"k": 1}, "cam1": {"k": 1}, "x": {"k": 1}, "cam3": {"j": 1}})", "FILE");
-  CHECK(starsOf(Node(file), "cam*.k") == std::vector<std::string>{"1", "2", "10"});
+  const Part part = parseParts("K=cam*.k", "row").front();
+  CHECK(starsOf(Node(file), part.starredPaths()) == std::vector<std::string>{"1", "2", "10"});
 }
 
 TEST_CASE("the finder proposes the line that reads a file") {
@@ -330,6 +456,22 @@ TEST_CASE("the finder proposes the line that reads a file") {
   REQUIRE(!set.lines.empty());
   CHECK(set.lines[0].parts == "K=*.mtx, cameraFromWorld=*.w2c");
   CHECK(set.lines[0].cameras == 2);
+  const auto proposed = [](const char* file) { return proposeParts(readTree(file, "FILE")); };
+  const Proposal autoware = proposed(
+      R"({"CameraExtrinsicMat": [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]], "CameraMat": [[100, 0, 50], [0, 110, 25], [0, 0, 1]]})");
+  CHECK(autoware.lines[0].parts == "K=CameraMat, worldFromCamera=CameraExtrinsicMat");
+  const Proposal vehicle = proposed(
+      R"({"extrinsics": {"rotation": {"qx": 0, "qy": 0, "qz": 0, "qw": 1}, "translation": {"x": 1, "y": 2, "z": 3}},
+          "lens": {"mtx": [[100, 0, 50], [0, 110, 25], [0, 0, 1]]}})");
+  REQUIRE(!vehicle.lines.empty());
+  for (const std::string& question : vehicle.lines[0].decide) CHECK(question.find("w first") == std::string::npos);
+  const Proposal radial = proposed(
+      R"({"lens": {"focal_length": 1000, "principal_point": [500, 300], "disto_k3": [-0.05, 0.02, 0.01]}, "spawn": {"x": 1, "pitch": 3, "z": 2}})");
+  CHECK(std::count(radial.leftOut.begin(), radial.leftOut.end(), "lens.disto_k3") == 1);
+  CHECK(std::count(radial.leftOut.begin(), radial.leftOut.end(), "spawn") == 1);
+  CHECK(!proposed(R"({"mtx_a": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "radial": [2.1e-8, -1.2e-14]})")
+             .lines[0]
+             .decide.empty());
   CHECK(textOf(proposeParts(readTree(R"({"title": "notes", "list": [1, 2, 3]})", "FILE"))) ==
         "nothing in it looks like a camera\n");
 }
