@@ -363,12 +363,10 @@ Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   app.description(
       "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, "
-      "convention, lens distortion, planes and corners of the view, and pixel size; of several a table of them. Of "
-      "matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in degrees, "
-      "window "
-      "edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, planes and corners are those without "
-      "distortion.");
+      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
+      "them. Of matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in "
+      "degrees, window edges x/z and y/z (lengths in orthographic). Distortion changes none of them, nor "
+      "planes and corners.");
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
@@ -386,8 +384,7 @@ Action declareInfo(CLI::App& app) {
         if (o->which.empty())
           for (const auto& [name, kind] : kReadingKinds) o->which.push_back(kind);
       },
-      withNames("Read the matrices of FILE, as these kinds alone", known(rowsOf(kReadingKinds)),
-                "a camera, if it has one"));
+      withNames("Read matrices, as these kinds alone", known(rowsOf(kReadingKinds)), "a camera, if there is one"));
   addOption(
       app, "--angles", "ORDER",
       [o](const std::string& option, const std::string& text) {

@@ -3,17 +3,14 @@
 #include <span>
 
 #include "commands/matrix_readings.hpp"
-#include "text/number.hpp"
-#include "text/utf8.hpp"
+#include "commands/pasted_parts.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
+using pasted::isAmong;
+using pasted::isOneOf;
 using Words = std::vector<std::string>;
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// In lower case: worldToCamera, world2camera and "World to camera" are world, to or 2, camera. A word of its own is
 /// the end of a clause.
@@ -24,7 +21,7 @@ Words wordsOf(std::string_view text) {
     const bool isUpper = c >= 'A' && c <= 'Z', isPart = isLetter(c) || isDigit(c);
     const bool begins = (isUpper && ((last >= 'a' && last <= 'z') || isDigit(last))) ||
                         (c == '2' && isLetter(last) && isLetter(next)) || (words.back() == "2" && isLetter(c));
-    const bool isEnd = std::string_view(".,;:!?").find(c) != std::string_view::npos;
+    const bool isEnd = isAmong(c, ".,;:!?");
     if ((!isPart || begins) && !words.back().empty()) words.emplace_back();
     if (isPart) words.back() += isUpper ? static_cast<char>(c - 'A' + 'a') : c;
     if (isEnd) words.insert(words.end() - 1, ".");

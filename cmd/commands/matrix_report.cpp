@@ -279,7 +279,7 @@ std::string shown(std::string_view name) {
 }
 
 /// What has a name and is no matrix: "t (3 numbers, line 4), rvec (3 numbers, line 5)".
-std::string vectorsIn(const std::vector<PassedOver>& passedOver) {
+std::vector<std::string> vectorsIn(const std::vector<PassedOver>& passedOver) {
   constexpr std::size_t kMost = 6;
   std::vector<std::string> vectors;
   for (const PassedOver& over : passedOver)
@@ -287,7 +287,7 @@ std::string vectorsIn(const std::vector<PassedOver>& passedOver) {
       vectors.push_back(vectors.size() == kMost ? "and others"
                                                 : shown(over.name) + " (" + std::to_string(over.numbers) +
                                                       " numbers, line " + std::to_string(over.line) + ")");
-  return joined(vectors);
+  return vectors;
 }
 
 /// Whether the first reading is a K of pixels in OpenCV's axes.
@@ -320,18 +320,18 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       });
     if (readings.empty()) m.found.fault = "none of its readings is as --read-as and --which state";
   }
-  const std::string vectors = vectorsIn(pasted.passedOver);
+  const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };
   std::erase_if(pasted.passedOver, [](const PassedOver& over) { return over.numbers < kFewest; });
   if (matrices.empty()) {
     const auto longest = std::max_element(pasted.passedOver.begin(), pasted.passedOver.end(),
                                           [](const auto& a, const auto& b) { return a.numbers < b.numbers; });
     throw InputError(otherwise + (longest != pasted.passedOver.end() ? "; " + line(*longest)
-                                  : !vectors.empty()                 ? "; it has " + vectors
+                                  : vectors.size() > 1               ? "; it has " + joined(vectors)
                                                                      : ""));
   }
   for (const PassedOver& over : pasted.passedOver) note(source + ": " + line(over));
-  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + vectors);
+  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + joined(vectors));
   return matrices;
 }
 
