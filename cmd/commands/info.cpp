@@ -354,12 +354,10 @@ Action declareInfo(CLI::App& app) {
   describe(
       app,
       "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, "
-      "convention, lens distortion, planes and corners of the view, and pixel size; of several a table of them. Of "
-      "matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in degrees, "
-      "window "
-      "edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, planes and corners are those without "
-      "distortion.",
+      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
+      "them. Of matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in "
+      "degrees, window edges x/z and y/z (lengths in orthographic). Distortion changes none of them, nor "
+      "planes and corners.",
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
       "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
@@ -376,8 +374,7 @@ Action declareInfo(CLI::App& app) {
         if (o->which.empty())
           for (const auto& [name, kind] : kReadingKinds) o->which.push_back(kind);
       },
-      withNames("Read the matrices of FILE, as these kinds alone", known(rowsOf(kReadingKinds)),
-                "a camera, if it has one"));
+      withNames("Read matrices, as these kinds alone", known(rowsOf(kReadingKinds)), "a camera, if there is one"));
   addAngles(app, o->angles, "Tell the pose as turns about the camera's axes too");
   o->report.add(app, 9);
   o->camera.addFile(app);

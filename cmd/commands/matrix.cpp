@@ -156,7 +156,7 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name, const 
                        "NAME choose");
     result = each;
   }
-  if (readings.front().kind != ReadingKind::projection) {
+  if (readings.front().camera->pose) {
     const Handedness own = readings.front().camera->convention.world;
     if (world.value_or(own) != own)
       throw InputError(name + ": its world is " + std::string(nameOf(kWorldNames, own)) +

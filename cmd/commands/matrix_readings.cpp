@@ -2,32 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
-#include <regex>
 
 #include "camera/plain_vectors.hpp"
+#include "camera/split_matrix.hpp"
 #include "commands/printed_digits.hpp"
 #include "numbers/vectors.hpp"
 #include "text/number.hpp"
-#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 
+using detail::crossOf;
 using detail::dot;
+using detail::maxAbs;
 namespace {
 
 constexpr double kRightAngle = 1e-3;  ///< off by so much in a camera of exact entries
 constexpr double kBlind = 0.2;        ///< a test of right angles that lets more pass is none
 constexpr double kFewestPixels = 20;  ///< a smaller focal length is in half widths
 
-Vec3 times(const Vec3& v, double by) { return {v.x * by, v.y * by, v.z * by}; }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec3 rowOf(const Mat4& m, std::size_t i) { return {m[i][0], m[i][1], m[i][2]}; }
-double largestOf(const Mat4& e, std::size_t i) { return std::max({e[i][0], e[i][1], e[i][2]}); }
+Vec3 lastColumn(const Mat4& m) { return {m[0][3], m[1][3], m[2][3]}; }
+bool isDiagonal(const Mat4& m) {
+  return m[0][1] == 0 && m[0][2] == 0 && m[1][0] == 0 && m[1][2] == 0 && m[2][0] == 0 && m[2][1] == 0;
+}
+/// The largest entry of the 3x3 part of errors.
+double largestOf(const Mat4& e) { return std::max({maxAbs(rowOf(e, 0)), maxAbs(rowOf(e, 1)), maxAbs(rowOf(e, 2))}); }
 
 /// What the cosine of two rows, or an entry of M^T M - I, may be off, of errors of so much relative to the rows.
 double tolerance(double error) { return kRightAngle + 2 * std::numbers::sqrt3 * error; }
@@ -41,83 +41,42 @@ double rigidity(const Mat4& m) {
   return worst;
 }
 
-double determinant(const Mat4& m) { return dot(rowOf(m, 0), cross(rowOf(m, 1), rowOf(m, 2))); }
+double determinant(const Mat4& m) { return dot(rowOf(m, 0), crossOf(rowOf(m, 1), rowOf(m, 2))); }
 
-// ---- What names say
-
-struct HintRow {
-  ReadingKind kind;
-  std::regex pattern;
-  bool isLetter = false;  ///< a letter alone, which is a name but no word of prose
-};
-
-/// Of names in lower case, their words parted by _. Whatever is not the camera: imu, velo, world, w.
-#define VIEWPROJ_ANY R"((?!cam|c\d?(?![a-z]))[a-z]+\d?)"
-#define VIEWPROJ_CAM R"(c(?:am(?:era)?\d?)?)"
-#define VIEWPROJ_START R"((?:^|[^a-z]))"
-#define VIEWPROJ_END R"((?![a-z]))"
-
-const std::vector<HintRow>& strongHints() {
-  static const std::vector<HintRow> rows = [] {
-    const auto row = [](ReadingKind kind, const char* pattern, bool isLetter = false) {
-      return HintRow{kind, std::regex(pattern), isLetter};
-    };
-    using enum ReadingKind;
-    return std::vector<HintRow>{
-        row(viewProjection,
-            "view_?proj|" VIEWPROJ_START "m?vp" VIEWPROJ_END
-            R"(|world_?to_?clip|clip_?from_?world|proj\w*[ *@.]+\w*view|full_?proj|culling|camera_?to_?clip_?world)"),
-        row(pose, VIEWPROJ_START VIEWPROJ_CAM
-            "_?(?:2|to)_?" VIEWPROJ_ANY "|" VIEWPROJ_ANY "_?from_?" VIEWPROJ_CAM VIEWPROJ_END "|" VIEWPROJ_START
-            "t_" VIEWPROJ_ANY "_?" VIEWPROJ_CAM VIEWPROJ_END "|" VIEWPROJ_START "t?_?wc" VIEWPROJ_END
-            R"(|pose|view_?inv|inv\w*_?view|matrix_?world|local_?to_?world|eyetransform)"),
-        row(view, "(?:^|^_|^f_|[^a-z_]|[^f]_|[^o]f_)view(?!port|_?proj|_?inv)|extrin|" VIEWPROJ_START VIEWPROJ_ANY
-                  "_?(?:2|to)_?" VIEWPROJ_CAM VIEWPROJ_END "|world_?view|cam(?:era)?_?from_?" VIEWPROJ_ANY
-                  "|look_?at|" VIEWPROJ_START "t_" VIEWPROJ_CAM "_?" VIEWPROJ_ANY VIEWPROJ_END "|" VIEWPROJ_START
-                  "t_?cw" VIEWPROJ_END),
-        row(projection, "proj|persp|frustum|ortho"),
-        row(k, "intrin|(?:^|^_|^o_|[^_]|[^o]_|[^t]o_)camera_?matrix|(?:^|[^a-z_])mtx|linemod|calib"),
-        row(k, "(?:^|[^a-z0-9])k(?![a-z0-9(])", true),
-        row(rotation, VIEWPROJ_START "rot"),
-        row(rotation, "(?:^|[^a-z0-9])r(?![a-z0-9(])", true)};
-  }();
-  return rows;
+Mat4 diagonal(double x, double y, double z, double w) {
+  return {{{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}, {0, 0, 0, w}}}};
 }
 
-const std::vector<HintRow>& weakHints() {
-  static const std::vector<HintRow> rows{
-      {ReadingKind::pose, std::regex("world_?matrix|model_?matrix|" VIEWPROJ_START
-                                     "model(?!_?view)|transform(?!_for|tocam)|" VIEWPROJ_START "root")},
-      {ReadingKind::view, std::regex("model_?view")}};
-  return rows;
+Mat4 product(const Mat4& a, const Mat4& b) {
+  Mat4 result;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
 }
 
-/// worldToCamera and World to Camera as world_to_camera.
-std::string underscored(std::string_view text) {
-  std::string words;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool isUpper = c >= 'A' && c <= 'Z', isBlank = c == ' ' || c == '\t';
-    const char last = i > 0 ? text[i - 1] : ' ';
-    if (isUpper && ((last >= 'a' && last <= 'z') || isDigit(last))) words += '_';
-    if (isBlank && (last == ' ' || last == '\t') && i > 0) continue;
-    words += isBlank ? '_' : isUpper ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return words;
+Mat4 absolute(Mat4 m) {
+  for (auto& row : m.m)
+    for (double& entry : row) entry = std::fabs(entry);
+  return m;
 }
 
-/// The kind that the last word of a table speaks of.
-std::optional<ReadingKind> lastHint(const std::string& text, const std::vector<HintRow>& rows, bool isName) {
-  std::optional<ReadingKind> kind;
-  std::ptrdiff_t end = 0;
-  for (const HintRow& row : rows)
-    if (isName || !row.isLetter)
-      for (std::sregex_iterator each(text.begin(), text.end(), row.pattern), none; each != none; ++each)
-        if (const std::ptrdiff_t at = each->position() + each->length(); at > end) {
-          end = at;
-          kind = row.kind;
-        }
-  return kind;
+/// By cofactors, which keep the zeros and ones of a projection.
+std::optional<Mat4> inverseOf(const Mat4& m) {
+  Mat4 result;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      std::array<Vec3, 3> rows;
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t l = 0; l < 3; ++l) rows[k][l] = m[k < i ? k : k + 1][l < j ? l : l + 1];
+      result[j][i] = ((i + j) % 2 == 0 ? 1 : -1) * dot(rows[0], crossOf(rows[1], rows[2]));
+    }
+  double volume = 0;
+  for (std::size_t j = 0; j < 4; ++j) volume += m[2][j] * result[j][2];
+  if (!std::isfinite(volume) || volume == 0) return std::nullopt;
+  for (auto& row : result.m)
+    for (double& entry : row) entry = entry / volume + 0.0;
+  return result;
 }
 
 // ---- Readings of one layout
@@ -149,9 +108,39 @@ class LayoutReader {
   }
 
   void read() {
-    if (laid_.rows == 3 && !laid_.isWide) return readThree();
-    if (laid_.rows == 3) return readThreeByFour();
-    readFour();
+    if (laid_.rows == 3 && !laid_.isWide)
+      readThree();
+    else if (laid_.rows == 3 && !isRotation())
+      readThreeByFour();
+    else
+      readFour();
+  }
+
+  /// A projection or view-projection of which this is the inverse. Each entry of the inverse M may be off by
+  /// |M| E |M|, to first order; to E comes what computing this matrix from M lost.
+  void readInverse() {
+    const std::optional<Mat4> inverse = inverseOf(m_);
+    if (!inverse) return;
+    const Mat4 size = absolute(*inverse), summed = product(absolute(m_), product(size, absolute(m_)));
+    const double unit = 3 * (isFloat_ ? 0x1p-24 : 0x1p-53);
+    Mat4 errors = laid_.printed;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool isExact = m_[i][0] == 0 && m_[i][1] == 0 && m_[i][2] == 0 && std::fabs(m_[i][3]) == 1;
+      for (std::size_t j = 0; j < 4; ++j)
+        errors[i][j] = isExact ? 0 : errors[i][j] + (m_[i][j] != 0 ? unit * summed[i][j] : 0);
+    }
+    const Mat4 share = product(size, errors);
+    double most = 0;
+    for (const auto& row : share.m) most = std::max(most, row[0] + row[1] + row[2] + row[3]);
+    constexpr double kSure = 0.25;
+    if (!(most < kSure)) return;
+    const Mat4 rounded = product(size, product(absolute(m_), size));  // what our own inverse loses
+    Mat4 each = product(share, size);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        each[i][j] = each[i][j] / (1 - most) + ((*inverse)[i][j] != 0 ? 0x1p-52 * rounded[i][j] : 0);
+    for (const MatrixCamera& c : cameras(*inverse, each))
+      if (c.lens) addCamera(c).kind = c.pose ? ReadingKind::viewProjectionInverse : ReadingKind::projectionInverse;
   }
 
   std::string fault;
@@ -163,12 +152,8 @@ class LayoutReader {
     if (laid_.rows == 3) errors_[3] = {};
   }
 
-  double largestError() const {
-    return std::max({largestOf(errors_, 0), largestOf(errors_, 1), largestOf(errors_, 2)});
-  }
-
   bool isRotation() const {
-    const double allowed = tolerance(largestError());
+    const double allowed = tolerance(largestOf(errors_));
     return allowed < 2 * kBlind && rigidity(m_) <= allowed;
   }
 
@@ -187,10 +172,8 @@ class LayoutReader {
 
   /// K: zeros below the diagonal, none on it. Signs are axes.
   bool addK() {
-    const double largest =
-        std::max({detail::maxAbs(rowOf(m_, 0)), detail::maxAbs(rowOf(m_, 1)), detail::maxAbs(rowOf(m_, 2))});
     const double below = std::max({std::fabs(m_[1][0]), std::fabs(m_[2][0]), std::fabs(m_[2][1])});
-    if (!(below <= 1e-12 * largest && m_[0][0] != 0 && m_[1][1] != 0 && m_[2][2] != 0)) return false;
+    if (!(below <= 1e-12 * largestOf(absolute(m_)) && m_[0][0] != 0 && m_[1][1] != 0 && m_[2][2] != 0)) return false;
     static constexpr std::string_view kAxes[] = {"RDF", "RDB", "RUF", "RUB", "LDF", "LDB", "LUF", "LUB"};
     const double size = std::fabs(m_[2][2]);
     add(ReadingKind::k).pixels = PixelLens{std::fabs(m_[0][0]) / size,
@@ -204,39 +187,24 @@ class LayoutReader {
 
   /// P = K [R | t], with skew. The eye is the null vector.
   std::optional<Reading> readP() const {
-    const double size = length(rowOf(m_, 2));
-    const double lengths = length(rowOf(m_, 0)) * length(rowOf(m_, 1)) * size, volume = determinant(m_);
+    const double lengths = length(rowOf(m_, 0)) * length(rowOf(m_, 1)) * length(rowOf(m_, 2)), volume = determinant(m_);
     if (!(std::fabs(volume) > 1e-9 * lengths)) return std::nullopt;
-    const Vec3 forward = times(rowOf(m_, 2), 1 / size), x = times(rowOf(m_, 0), 1 / size),
-               y = times(rowOf(m_, 1), 1 / size);
+    const SplitMatrix split = splitMatrix(std::span(m_[0].data(), 12));
     Reading r;
     r.kind = ReadingKind::p;
     r.layout = laid_.layout;
-    PixelLens& lens = r.pixels.emplace();
-    lens.cx = dot(x, forward);
-    lens.cy = dot(y, forward);
-    const Vec3 down = minus(y, times(forward, lens.cy));
-    lens.fy = length(down);
-    lens.skew = dot(x, times(down, 1 / lens.fy));
-    const Vec3 right = minus(minus(x, times(forward, lens.cx)), times(down, lens.skew / lens.fy));
-    lens.fx = length(right);
-    // P and -P are the same camera. One of the two has a rotation.
-    const double sign = volume < 0 ? -1 : 1;
-    r.rows = {times(right, sign / lens.fx), times(down, sign / lens.fy), times(forward, sign)};
+    r.pixels = PixelLens{split.fx.hi, split.fy.hi, split.cx.hi, split.cy.hi, split.skew.hi, {}};
+    for (std::size_t i = 0; i < 3; ++i) r.rows[i] = detail::rounded(split.columns[i]);
     r.isMirrored = volume < 0 && m_[2] == std::array<double, 4>{0, 0, 1, 0};
-    const Vec3 columns[] = {cross(rowOf(m_, 1), rowOf(m_, 2)), cross(rowOf(m_, 2), rowOf(m_, 0)),
-                            cross(rowOf(m_, 0), rowOf(m_, 1))};
-    Vec3 eye;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) eye[j] -= columns[i][j] * m_[i][3] / volume;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double off = errors_[i][0] * std::fabs(eye.x) + errors_[i][1] * std::fabs(eye.y) +
-                         errors_[i][2] * std::fabs(eye.z) + errors_[i][3];
-      for (std::size_t j = 0; j < 3; ++j) r.eyeError[j] += std::fabs(columns[i][j] / volume) * off;
-    }
+    r.eye = detail::rounded(split.eye);
+    const Vec3 columns[] = {crossOf(rowOf(m_, 1), rowOf(m_, 2)), crossOf(rowOf(m_, 2), rowOf(m_, 0)),
+                            crossOf(rowOf(m_, 0), rowOf(m_, 1))};
     const double more = 1 / std::max(1 - 4 * rowError(), 0.05);
-    r.eyeError = times(r.eyeError, more);
-    r.eye = eye;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 e = rowOf(errors_, i), eye = *r.eye;
+      const double off = dot(e, Vec3{std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) + errors_[i][3];
+      for (std::size_t j = 0; j < 3; ++j) r.eyeError[j] += more * std::fabs(columns[i][j] / volume) * off;
+    }
     return r;
   }
 
@@ -262,7 +230,6 @@ class LayoutReader {
   }
 
   void readThreeByFour() {
-    if (isRotation()) return readFour();
     if (laid_.layout == MatrixLayout::transposed) return;
     const auto p = readP();
     // Twelve numbers in a row are many things: a P only where its third row is a unit vector and pixels are upright.
@@ -272,26 +239,24 @@ class LayoutReader {
       fault = "it is no K [R | t]: its left 3x3 has no inverse";
   }
 
-  void addCamera(const MatrixCamera& camera, double scaledBy = 1) {
+  Reading& addCamera(const MatrixCamera& camera, double scaledBy = 1) {
     constexpr ReadingKind kKinds[] = {ReadingKind::projection, ReadingKind::view, ReadingKind::pose,
                                       ReadingKind::viewProjection};
     Reading& r = add(kKinds[static_cast<std::size_t>(camera.kind)]);
     r.camera = camera;
     r.camera->layout = laid_.layout;
     r.scaledBy = scaledBy;
-    if (r.kind == ReadingKind::view || r.kind == ReadingKind::pose) r.isCentred = scaledBy == 1 && isCentred(r.kind);
+    r.isCentred = scaledBy == 1 && !camera.lens && isCentred(r.kind);
+    return r;
   }
 
   /// Whether the world's origin lies on the z axis of the camera, which is turned.
   bool isCentred(ReadingKind kind) const {
-    Vec3 t{m_[0][3], m_[1][3], m_[2][3]};
-    const double error =
-        4 * (std::max({errors_[0][3], errors_[1][3], errors_[2][3]}) + largestError() * length(t)) + 1e-6 * length(t);
+    Vec3 t = lastColumn(m_);
+    const double error = 4 * (maxAbs(lastColumn(errors_)) + largestOf(errors_) * length(t)) + 1e-6 * length(t);
     if (kind == ReadingKind::pose) {
-      Vec3 turned;
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) turned[i] += m_[j][i] * t[j];
-      t = turned;
+      const Mat4 inverse = transposed(m_);
+      t = {dot(rowOf(inverse, 0), t), dot(rowOf(inverse, 1), t), dot(rowOf(inverse, 2), t)};
     }
     return std::fabs(t.z) > 10 * error && std::hypot(t.x, t.y) <= error && std::fabs(m_[2][2]) < 1 - 1e-3;
   }
@@ -314,17 +279,13 @@ class LayoutReader {
         break;
       }
     if (laid_.rows == 3) std::erase_if(all, [](const MatrixCamera& c) { return c.lens.has_value(); });
-    const bool isAffine = m_[3][0] == 0 && m_[3][1] == 0 && m_[3][2] == 0;
+    const bool isAffine = m_[3][0] == 0 && m_[3][1] == 0 && m_[3][2] == 0, isPlaced = maxAbs(lastColumn(m_)) > 0;
     const bool isPose = std::any_of(all.begin(), all.end(), [](const MatrixCamera& c) { return !c.lens; });
-    if (isPose && m_[0][3] == 0 && m_[1][3] == 0 && m_[2][3] == 0) addRotation();
+    if (isPose && !isPlaced) addRotation();
     const double scale = scaleOfPose(all);
     if (scale != 1) addScaledPoses(scale);
-    for (const MatrixCamera& c : all) {
-      addCamera(c);
-      found_.back().isUniform = scale != 1;
-    }
+    for (const MatrixCamera& c : all) addCamera(c).isUniform = scale != 1;
     if (isAffine && all.empty()) {
-      const bool isPlaced = m_[0][3] != 0 || m_[1][3] != 0 || m_[2][3] != 0;
       if (!isPlaced && addK()) return;
       const auto p = readP();
       if (p && std::min(p->pixels->fx, p->pixels->fy) > kFewestPixels && rowError() < kBlind / 2 &&
@@ -343,11 +304,9 @@ class LayoutReader {
       const double size = length(rowOf(m_, i));
       least = std::min(least, size);
       most = std::max(most, size);
-      turn = std::max(turn, largestOf(errors_, i) / size);
+      turn = std::max(turn, maxAbs(rowOf(errors_, i)) / size);
     }
-    const bool isDiagonal =
-        m_[0][1] == 0 && m_[0][2] == 0 && m_[1][0] == 0 && m_[1][2] == 0 && m_[2][0] == 0 && m_[2][1] == 0;
-    return !isDiagonal && most / least < 1 + tolerance(turn) && all.front().scale == 1
+    return !isDiagonal(m_) && most / least < 1 + tolerance(turn) && all.front().scale == 1
                ? std::cbrt(std::fabs(determinant(m_)))
                : 1;
   }
@@ -392,22 +351,22 @@ class LayoutReader {
 /// vectors at a right angle and the third is their cross product but for one entry. Else empty.
 std::string typedWrong(const Laid& laid) {
   if (laid.m[3] != std::array<double, 4>{0, 0, 0, 1}) return "";
+  const double allowed = tolerance(largestOf(laid.printed));
+  if (!(allowed < kBlind)) return "";
   for (const bool byColumns : {false, true}) {
-    const Mat4 m = byColumns ? transposed(laid.m) : laid.m, e = byColumns ? transposed(laid.printed) : laid.printed;
+    const Mat4 m = byColumns ? transposed(laid.m) : laid.m;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 a = rowOf(m, (k + 1) % 3), b = rowOf(m, (k + 2) % 3);
-      const double allowed = tolerance(std::max({largestOf(e, 0), largestOf(e, 1), largestOf(e, 2)}));
       const double off = std::max({std::fabs(dot(a, b)), std::fabs(dot(a, a) - 1), std::fabs(dot(b, b) - 1)});
-      if (!(allowed < kBlind && off <= allowed)) continue;
       for (const double sign : {1.0, -1.0}) {
-        const Vec3 right = times(cross(a, b), sign);
-        std::size_t wrong = 3, count = 0;
+        const Vec3 right = scaled(crossOf(a, b), sign), away = sum(rowOf(m, k), -1, right);
+        std::size_t wrong = 0, count = 0;
         for (std::size_t j = 0; j < 3; ++j)
-          if (std::fabs(m[k][j] - right[j]) > allowed) {
+          if (std::fabs(away[j]) > allowed) {
             wrong = j;
             ++count;
           }
-        if (count == 1 && std::fabs(m[k][wrong] - right[wrong]) > 10 * allowed)
+        if (off <= allowed && count == 1 && std::fabs(away[wrong]) > 10 * allowed)
           return (byColumns ? "column " : "row ") + std::to_string(k + 1) + " has " + formatDigits(m[k][wrong], 6) +
                  " where " + formatDigits(right[wrong], 3) + " would make it a rotation";
       }
@@ -450,29 +409,41 @@ double costOfDepth(const Reading& r) {
   if (lens.zNear.value > 0 && !holdsPowerOfTen(lens.zNear)) cost += 0.4;
   // OpenGL's depth looks along -z, Direct3D's along +z.
   const bool isGl = c.ndcZ == NdcZ::minusOneToOne;
-  return cost + (r.kind == ReadingKind::projection ? ((c.view == ViewAxes::RUB) != isGl ? 0.6 : 0) : isGl ? 0 : 0.3);
+  return cost + (!r.camera->pose ? ((c.view == ViewAxes::RUB) != isGl ? 0.6 : 0) : isGl ? 0 : 0.3);
+}
+
+bool isInverse(const Reading& r) {
+  return r.kind == ReadingKind::projectionInverse || r.kind == ReadingKind::viewProjectionInverse;
+}
+
+/// Whether it is the lens of no usual camera: without depth, of other size, very wide or narrow.
+bool isStrange(const Reading& r) {
+  if (!r.camera || !r.camera->lens || r.camera->lens->orthographic) return false;
+  const double fov = (std::atan(r.camera->lens->top) - std::atan(r.camera->lens->bottom)) * 180 / std::numbers::pi;
+  return !r.camera->lens->depthFault.empty() || r.camera->scale != 1 || !(fov >= kNarrowFov && fov <= kWideFov);
 }
 
 double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint& hint, const PastedMatrix& m) {
   using enum ReadingKind;
-  constexpr double kUsual[] = {0, 1, 2, 3, 0, 0, 4};  // in the order of ReadingKind
+  constexpr double kUsual[] = {0, 1, 2, 3, 0, 0, 4, 0, 3};  // in the order of ReadingKind
   double cost = kUsual[static_cast<std::size_t>(r.kind)];
   const bool isHinted = r.kind == hint.kind || (r.kind == p && (hint.kind == k || hint.kind == projection));
   if (hint.kind && !isHinted) cost += hint.weight;
   if (r.kind == k && r.pixels->fx < kFewestPixels && hint.kind != k) cost += 5;
   if (m.isByColumns && r.layout == MatrixLayout::asWritten) cost += 6;
   if (r.camera && r.camera->lens) cost += costOfDepth(r);
+  if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
   if (r.isCentred) cost -= 3;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;
-  if ((r.kind == view || r.kind == pose) && !((hint.kind == view || hint.kind == pose) && hint.weight > 10)) {
-    double error = 1e-300;
-    for (const Reading& other : all)
-      if ((other.kind == view || other.kind == pose) && other.layout == r.layout)
-        error =
-            std::max({error, detail::maxAbs(other.camera->eyeError), 1e-9 * detail::maxAbs(other.camera->pose->eye())});
-    const Vec3 eye = r.camera->pose->eye();
-    for (std::size_t i = 0; i < 3; ++i) cost += 0.34 * decimalsWithin(eye[i], error);
-  }
+  if (r.kind != view && r.kind != pose) return cost;
+  if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
+  if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
+  double error = 1e-300;
+  for (const Reading& other : all)
+    if ((other.kind == view || other.kind == pose) && other.layout == r.layout)
+      error = std::max({error, maxAbs(other.camera->eyeError), 1e-9 * maxAbs(other.camera->pose->eye())});
+  const Vec3 eye = r.camera->pose->eye();
+  for (std::size_t i = 0; i < 3; ++i) cost += 0.34 * decimalsWithin(eye[i], error);
   return cost;
 }
 
@@ -482,28 +453,11 @@ bool isTurned(Vectors vectors, Storage storage) {
 
 }  // namespace
 
-KindHint hintOf(const PastedMatrix& m) {
-  for (const char* mark : {"<Matrix ", " O: (", "matrix3 ["})
-    if (m.context.find(mark) != std::string::npos) return {ReadingKind::pose, 20};
-  constexpr std::size_t kMost = 300;
-  const std::string name = m.name.substr(0, kMost);
-  std::size_t part = 0;  // transform of scene.camera.transform
-  for (std::size_t i = 1; i + 1 < name.size(); ++i)
-    if (name[i] == '.' && (isLetter(name[i + 1]) || name[i + 1] == '_') && name[i - 1] != ' ') part = i + 1;
-  const std::string tail = name.substr(part);
-  for (const std::string* text : {&tail, &name, &m.context}) {
-    const std::string words = underscored(*text);
-    if (const auto kind = lastHint(words, strongHints(), text != &m.context)) return {kind, 20};
-    if (const auto kind = lastHint(words, weakHints(), true)) return {kind, 3};
-  }
-  return {};
-}
-
 Mat4 matrixOf(const PastedMatrix& pasted, MatrixLayout layout) {
   return laidOut(pasted, std::vector<double>(pasted.numbers.size()), layout).m;
 }
 
-MatrixReadings readingsOf(const PastedMatrix& pasted) {
+MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
   MatrixReadings result;
   for (const PrintedNumber& n : pasted.numbers)
     if (!std::isfinite(n.value)) {
@@ -518,9 +472,10 @@ MatrixReadings readingsOf(const PastedMatrix& pasted) {
   if (pasted.rows == pasted.columns && written == viewproj::transposed(written)) layouts = {either};
   if (pasted.rows != pasted.columns) layouts = {pasted.rows < pasted.columns ? asWritten : transposed};
   if (pasted.isCss && pasted.rows == 4) layouts = {transposed};
+  std::vector<Reading>& readings = result.readings;
   for (const MatrixLayout layout : layouts) {
     const Laid laid = laidOut(pasted, printed, layout);
-    LayoutReader reader(pasted, laid, result.isFloat, result.readings);
+    LayoutReader reader(pasted, laid, result.isFloat, readings);
     reader.read();
     if (result.fault.empty()) result.fault = reader.fault;
     if (const std::string typed = typedWrong(laid); !typed.empty() && layout == layouts.front()) result.fault = typed;
@@ -532,14 +487,21 @@ MatrixReadings readingsOf(const PastedMatrix& pasted) {
   const auto isMultiple = [](const Reading& r) {
     return r.camera && r.camera->lens && !r.camera->lens->orthographic && r.camera->scale != 1;
   };
-  if (!std::all_of(result.readings.begin(), result.readings.end(), hasNoDepth))
-    std::erase_if(result.readings, hasNoDepth);
-  if (!std::all_of(result.readings.begin(), result.readings.end(), isMultiple))
-    std::erase_if(result.readings, isMultiple);
-  if (!result.readings.empty()) result.fault.clear();
-  const KindHint hint = hintOf(pasted);
-  for (Reading& r : result.readings) r.cost = costOf(r, result.readings, hint, pasted);
-  std::stable_sort(result.readings.begin(), result.readings.end(),
+  if (!std::all_of(readings.begin(), readings.end(), hasNoDepth)) std::erase_if(readings, hasNoDepth);
+  if (!std::all_of(readings.begin(), readings.end(), isMultiple)) std::erase_if(readings, isMultiple);
+  KindHint hint = hintOf(pasted);
+  if (!hint.axes && isBesideK) hint.axes = ViewAxes::RDF;
+  // An inverse where a name says so, or where nothing usual fits and the inverse is usual.
+  const bool isNamed = hint.kind == ReadingKind::projectionInverse || hint.kind == ReadingKind::viewProjectionInverse;
+  if (pasted.rows == 4 && pasted.columns == 4 &&
+      (isNamed || std::all_of(readings.begin(), readings.end(), isStrange))) {
+    for (const MatrixLayout layout : layouts)
+      LayoutReader(pasted, laidOut(pasted, printed, layout), result.isFloat, readings).readInverse();
+    if (!isNamed) std::erase_if(readings, [](const Reading& r) { return isInverse(r) && isStrange(r); });
+  }
+  if (!readings.empty()) result.fault.clear();
+  for (Reading& r : readings) r.cost = costOf(r, readings, hint, pasted);
+  std::stable_sort(readings.begin(), readings.end(),
                    [](const Reading& a, const Reading& b) { return a.cost < b.cost; });
   return result;
 }
@@ -559,7 +521,7 @@ std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention&
   std::erase_if(readings, [&](const Reading& r) { return !fits(r, c, isInMemoryOrder); });
   const auto isOwn = [&](const Reading& r) {
     return !r.camera || ((!r.camera->lens || r.camera->convention.reverseZ == c.reverseZ) &&
-                         (r.kind == ReadingKind::projection || r.camera->convention.world == c.world));
+                         (!r.camera->pose || r.camera->convention.world == c.world));
   };
   for (const auto& [name, kind] : kReadingKinds) {
     const auto isOfKind = [kind = kind](const Reading& r) { return r.kind == kind; };
@@ -569,7 +531,7 @@ std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention&
   return readings;
 }
 
-Mat4 converted(const Reading& reading, const Mat4& matrix, const Convention& to) {
+Mat4 converted(const Reading& reading, const Mat4& m, const Convention& to) {
   if (!reading.camera) {
     const bool isRotation = reading.kind == ReadingKind::rotation;
     throw CameraError("", isRotation ? "is a rotation, which is the same in every convention"
@@ -577,28 +539,16 @@ Mat4 converted(const Reading& reading, const Mat4& matrix, const Convention& to)
                                        "reads one in a file of its format");
   }
   const Convention& from = reading.camera->convention;
-  Mat4 m = matrix;
-  const auto negateRow = [&](std::size_t i) {
-    for (double& entry : m[i]) entry = 0 - entry;
-  };
-  const auto negateColumn = [&](std::size_t j) {
-    for (auto& row : m.m) row[j] = 0 - row[j];
-  };
-  // V' = X V, P' = P X, (V^-1)' = V^-1 X, with X the signs of the view's axes.
-  const auto isDown = [](const Convention& c) { return c.view == ViewAxes::RDF; };
-  const auto isBack = [](const Convention& c) { return c.view == ViewAxes::RUB; };
-  const bool flipsY = isDown(from) != isDown(to), flipsZ = isBack(from) != isBack(to);
-  if (reading.kind == ReadingKind::view) {
-    if (flipsY) negateRow(1);
-    if (flipsZ) negateRow(2);
-    return m;
-  }
-  if (reading.kind != ReadingKind::viewProjection) {
-    if (flipsY) negateColumn(1);
-    if (flipsZ) negateColumn(2);
-  }
-  if (reading.kind == ReadingKind::pose) return m;
-  if (from.ndcY != to.ndcY) negateRow(1);
+  // V' = X V, P' = N P X, with X the signs of the view's axes, and N those and the range of NDC:
+  //   1 0 0  0       Inverses are X P^-1 N^-1.
+  //   0 s 0  0       Ones and zeros copy what does not change.
+  //   0 0 by offset
+  //   0 0 0  1
+  const auto is = [](const Convention& c, ViewAxes view) { return c.view == view; };
+  const Mat4 axes = diagonal(1, is(from, ViewAxes::RDF) != is(to, ViewAxes::RDF) ? -1 : 1,
+                             is(from, ViewAxes::RUB) != is(to, ViewAxes::RUB) ? -1 : 1, 1);
+  if (reading.kind == ReadingKind::view) return product(axes, m);
+  if (reading.kind == ReadingKind::pose) return product(m, axes);
   if (!reading.camera->lens->depthFault.empty()) throw CameraError("", reading.camera->lens->depthFault);
   const auto ends = [](const Convention& c) {
     const double first = c.ndcZ == NdcZ::zeroToOne ? 0 : -1;
@@ -606,9 +556,12 @@ Mat4 converted(const Reading& reading, const Mat4& matrix, const Convention& to)
   };
   const auto [nearFrom, farFrom] = ends(from);
   const auto [nearTo, farTo] = ends(to);
-  const double byZ = (farTo - nearTo) / (farFrom - nearFrom), byW = nearTo - byZ * nearFrom;
-  for (std::size_t j = 0; j < 4; ++j) m[2][j] = byZ * m[2][j] + byW * m[3][j] + 0.0;
-  return m;
+  const double byZ = (farTo - nearTo) / (farFrom - nearFrom);
+  Mat4 ndc = diagonal(1, from.ndcY != to.ndcY ? -1 : 1, byZ, 1);
+  ndc[2][3] = nearTo - byZ * nearFrom;
+  const bool hasAxes = reading.camera->kind == MatrixKind::projection;
+  if (isInverse(reading)) return product(hasAxes ? product(axes, m) : m, *inverseOf(ndc));
+  return product(ndc, hasAxes ? product(m, axes) : m);
 }
 
 }  // namespace viewproj::cmd

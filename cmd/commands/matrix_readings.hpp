@@ -14,7 +14,17 @@
 
 namespace viewproj::cmd {
 
-enum class ReadingKind : std::uint8_t { projection, view, pose, viewProjection, k, p, rotation };
+enum class ReadingKind : std::uint8_t {
+  projection,
+  view,
+  pose,
+  viewProjection,
+  k,
+  p,
+  rotation,
+  projectionInverse,
+  viewProjectionInverse
+};
 
 inline constexpr NameRow<ReadingKind> kReadingKinds[] = {{"projection", ReadingKind::projection},
                                                          {"view", ReadingKind::view},
@@ -22,7 +32,9 @@ inline constexpr NameRow<ReadingKind> kReadingKinds[] = {{"projection", ReadingK
                                                          {"viewProjection", ReadingKind::viewProjection},
                                                          {"K", ReadingKind::k},
                                                          {"P", ReadingKind::p},
-                                                         {"rotation", ReadingKind::rotation}};
+                                                         {"rotation", ReadingKind::rotation},
+                                                         {"projectionInverse", ReadingKind::projectionInverse},
+                                                         {"viewProjectionInverse", ReadingKind::viewProjectionInverse}};
 
 /// Focal lengths and principal point, in pixels or, below 20, in half widths. Their signs are axes.
 struct PixelLens {
@@ -33,7 +45,7 @@ struct PixelLens {
 struct Reading {
   ReadingKind kind = ReadingKind::projection;
   MatrixLayout layout = MatrixLayout::asWritten;
-  std::optional<MatrixCamera> camera = {};  ///< of projection, view, pose, viewProjection
+  std::optional<MatrixCamera> camera = {};  ///< but of K, P and rotation; of an inverse that of the matrix itself
   std::optional<PixelLens> pixels = {};     ///< of K and P
   std::array<Vec3, 3> rows = {};            ///< of a P: right, down, forward; of a rotation its own
   std::optional<Vec3> eye = {};             ///< of a P
@@ -45,11 +57,15 @@ struct Reading {
   double cost = 0;
 };
 
-/// How far a kind is spoken of in a name, or in the lines in front.
+/// What a name, or the lines in front, say: of the kind, and of the axes of a view that programs with such names have.
 struct KindHint {
   std::optional<ReadingKind> kind;
-  double weight = 0;
+  double weight = 0;  ///< what a reading of another kind costs
+  std::optional<ViewAxes> axes;
 };
+inline constexpr double kSpoken = 20;
+/// Fields of view, in degrees, beyond which a lens is unusual.
+inline constexpr double kNarrowFov = 4, kWideFov = 120;
 KindHint hintOf(const PastedMatrix& matrix);
 
 struct MatrixReadings {
@@ -57,7 +73,8 @@ struct MatrixReadings {
   std::vector<Reading> readings;  ///< names order them and never take one away
   std::string fault;              ///< where there are none
 };
-MatrixReadings readingsOf(const PastedMatrix& matrix);
+/// isBesideK: the text has a K in pixels, so that OpenCV's axes are usual.
+MatrixReadings readingsOf(const PastedMatrix& matrix, bool isBesideK = false);
 
 /// The matrix for column vectors in this layout, as four rows of four: rows of 3 and a third or fourth row are filled
 /// up with 0 0 0 1.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "camera/plain_camera.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kFewest = 9;  ///< fewer numbers are nothing that nearly is a matrix
 constexpr NameRow<MatrixLayout> kLayoutNames[] = {{"as written", MatrixLayout::asWritten},
                                                   {"transposed", MatrixLayout::transposed},
                                                   {"either", MatrixLayout::either}};
@@ -26,8 +28,8 @@ OrderedJson axesOf(const Reading& reading) {
   OrderedJson axes = OrderedJson::object();
   if (!reading.camera) return axes;
   const OrderedJson all = asJson(reading.camera->convention);
-  if (reading.kind != ReadingKind::projection) axes["world"] = all["world"];
-  if (reading.kind != ReadingKind::viewProjection) axes["view"] = all["view"];
+  if (reading.camera->kind != MatrixKind::projection) axes["world"] = all["world"];
+  if (reading.camera->kind != MatrixKind::viewProjection) axes["view"] = all["view"];
   if (reading.camera->lens) {
     if (reading.camera->lens->depthFault.empty()) axes.update({{"ndcZ", all["ndcZ"]}, {"reverseZ", all["reverseZ"]}});
     axes["ndcY"] = all["ndcY"];
@@ -64,38 +66,19 @@ OrderedJson lensJson(const MatrixLens& lens) {
   return part;
 }
 
-/// x, y, z, w of a rotation, the largest above 0; of a mirrored one that of its negative.
-std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& rows, bool isMirrored) {
-  const double sign = isMirrored ? -1 : 1;
-  const auto r = [&](std::size_t i, std::size_t j) { return sign * rows[i][j]; };
-  const double squares[] = {1 + r(0, 0) - r(1, 1) - r(2, 2), 1 - r(0, 0) + r(1, 1) - r(2, 2),
-                            1 - r(0, 0) - r(1, 1) + r(2, 2), 1 + r(0, 0) + r(1, 1) + r(2, 2)};
-  const auto largest = static_cast<std::size_t>(std::max_element(squares, squares + 4) - squares);
-  const double size = 2 * std::sqrt(squares[largest]);
-  std::array<double, 4> q{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    if (largest == 3)
-      q[i] = (r(k, j) - r(j, k)) / size;
-    else if (largest == i) {
-      q[i] = size / 4;
-      q[j] = (r(i, j) + r(j, i)) / size;
-      q[k] = (r(i, k) + r(k, i)) / size;
-      q[3] = (r(k, j) - r(j, k)) / size;
-    }
-  }
-  if (largest == 3) q[3] = size / 4;
-  return q;
-}
-
+/// Of a mirrored one that of its negative.
 OrderedJson rotationJson(const Reading& r) {
-  const std::array<double, 4> q = quaternionOf(r.rows, r.isMirrored);
-  const double size = std::hypot(q[0], q[1], q[2]), sign = q[3] < 0 ? -1 : 1;
+  const double sign = r.isMirrored ? -1 : 1;
+  PlainColumns columns;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) columns[j][i] = sign * r.rows[i][j];
+  const std::array<double, 4> q = quaternionOf(columns);
+  const double size = std::hypot(q[0], q[1], q[2]);
   OrderedJson axis;
-  if (size > 0) axis = {sign * q[0] / size, sign * q[1] / size, sign * q[2] / size};
+  if (size > 0) axis = {q[0] / size, q[1] / size, q[2] / size};
   return {{"quaternion", q},
           {"axis", axis},
-          {"degrees", 2 * std::atan2(size, std::fabs(q[3])) * kDegrees},
+          {"degrees", 2 * std::atan2(size, q[3]) * kDegrees},
           {"mirrored", r.isMirrored}};
 }
 
@@ -124,7 +107,7 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
   for (const ConventionPreset& preset : conventionPresets()) {
     if (!fits(r, preset.convention, isInMemoryOrder)) continue;
     OrderedJson differs = OrderedJson::array();
-    if (r.kind != ReadingKind::projection && preset.convention.world != camera.convention.world)
+    if (camera.kind != MatrixKind::projection && preset.convention.world != camera.convention.world)
       differs.push_back("world");
     if (camera.lens && camera.lens->depthFault.empty() && preset.convention.reverseZ != camera.convention.reverseZ)
       differs.push_back("reverseZ");
@@ -133,8 +116,6 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
     else
       result["presetsOtherwise"].push_back({{"name", preset.name}, {"differs", differs}});
   }
-  if (camera.scale != 1) result["scale"] = camera.scale;
-  if (r.scaledBy != 1) result["scaledBy"] = r.scaledBy;
   if (camera.pose) {
     if (!(camera.lens && camera.lens->orthographic)) result["eye"] = withError(camera.pose->eye(), camera.eyeError);
     result.update({{"right", asJson(camera.pose->right())},
@@ -142,6 +123,8 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
                    {"forward", asJson(camera.pose->forward())}});
   }
   if (camera.lens) result.update(lensJson(*camera.lens));
+  if (camera.scale != 1) result["scale"] = camera.scale;
+  if (r.scaledBy != 1) result["scaledBy"] = r.scaledBy;
   return result;
 }
 
@@ -174,7 +157,7 @@ std::vector<std::string> notesOn(const Reading& r) {
   if (!lens.depthFault.empty()) notes.push_back("Of its depth nothing is known: " + lens.depthFault + ".");
   const double fov = angleOf(lens.bottom, lens.top), aspect = (lens.right - lens.left) / (lens.top - lens.bottom);
   const bool isFlipped = r.kind == ReadingKind::viewProjection && detail::maxAbs(camera.pose->eye()) == 0;
-  if (fov > 120 || fov < 4 || isFlipped) {
+  if (fov > kWideFov || fov < kNarrowFov || isFlipped) {
     std::string cause;
     for (int degrees = 20; degrees <= 120 && cause.empty(); degrees += 5) {
       const auto is = [&](double angle) { return std::fabs(angle - fov) <= lens.fovError.y + 1e-9; };
@@ -185,9 +168,15 @@ std::vector<std::string> notesOn(const Reading& r) {
     }
     if (!cause.empty())
       notes.push_back("Its fovY of " + formatDigits(fov, 6) + " degrees is that of " + cause + ".");
-    else if (fov > 120)
+    else if (fov > kWideFov)
       notes.push_back("Its fovY of " + formatDigits(fov, 6) + " degrees is unusually wide.");
   }
+  // -3 to 1: the middle half of a lens of -1 to 1, as (x + 1) / 2 makes of -1 to 1.
+  const auto isHalved = [](double low, double high) { return std::fabs(low + 3 * high) <= 1e-4 * std::fabs(low); };
+  if (isHalved(lens.left, lens.right) && (isHalved(lens.bottom, lens.top) || isHalved(-lens.top, -lens.bottom)))
+    notes.emplace_back(
+        "Its picture lies between 0 and 1, not -1 and 1, as texture coordinates of a shadow map do: the camera's own "
+        "fields of view are about half of these.");
   for (const int whole : {1, 2})
     if (std::fabs(aspect - whole) < 1e-6)
       notes.push_back("Its aspect is exactly " + std::to_string(whole) +
@@ -219,18 +208,28 @@ std::string planeText(const PlaneDistance& d) {
              : value + " (" + formatDigits(d.low, 3) + " .. " + formatDigits(d.high, 3) + ")";
 }
 
-std::string pointText(const Vec3& value, const Vec3& error) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < 3; ++i) parts.push_back(shortest(value[i], error[i]));
-  return plusMinus(joined(parts), detail::maxAbs(error));
-}
-
-std::string angleText(double value, double error) { return plusMinus(shortest(value, error), error); }
-
-/// A unit vector without what rounding left of 0.
-OrderedJson directionText(const Vec3& v) {
-  const auto clean = [](double x) { return std::round(x * 1e9) / 1e9 + 0.0; };
-  return {clean(v.x), clean(v.y), clean(v.z)};
+/// A number or a vector with its error, or a unit vector without what rounding left of 0; else as it is.
+OrderedJson valuePage(const std::string& name, const OrderedJson& value) {
+  if (value.contains("low"))
+    return planeText({value["value"].get<double>(), value["low"].get<double>(), value["high"].get<double>()});
+  if (value.contains("error") && value["error"].is_number()) {
+    const double error = value["error"].get<double>();
+    return plusMinus(shortest(value["value"].get<double>(), error), error);
+  }
+  if (value.contains("error")) {
+    std::vector<std::string> parts;
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double error = value["error"][i].get<double>();
+      parts.push_back(shortest(value["value"][i].get<double>(), error));
+      most = std::max(most, error);
+    }
+    return plusMinus(joined(parts), most);
+  }
+  OrderedJson result = value;
+  if (name == "right" || name == "up" || name == "down" || name == "forward")
+    for (OrderedJson& x : result) x = std::round(x.get<double>() * 1e9) / 1e9 + 0.0;
+  return result;
 }
 
 /// "opengl, unity, metal except reverseZ".
@@ -242,41 +241,22 @@ std::string presetText(const OrderedJson& reading) {
   return names.empty() ? "no preset" : joined(names);
 }
 
-OrderedJson readingPage(const Reading& r, bool isInMemoryOrder) {
-  const OrderedJson json = readingJson(r, isInMemoryOrder);
-  OrderedJson page{{"kind", json["kind"]}, {"numbers", json["layout"]}};
-  for (const auto& [axis, value] : json["convention"].items()) page[axis] = value;
-  if (r.camera) page["presets"] = presetText(json);
-  if (r.camera && r.camera->pose) {
-    if (!(r.camera->lens && r.camera->lens->orthographic))
-      page["eye"] = pointText(r.camera->pose->eye(), r.camera->eyeError);
-    page.update({{"right", directionText(r.camera->pose->right())},
-                 {"up", directionText(r.camera->pose->up())},
-                 {"forward", directionText(r.camera->pose->forward())}});
-  }
-  if (r.camera && r.camera->lens) {
-    const MatrixLens& lens = *r.camera->lens;
-    if (!lens.orthographic)
-      page.update({{"fovX", angleText(json["fovX"]["value"].get<double>(), lens.fovError.x)},
-                   {"fovY", angleText(json["fovY"]["value"].get<double>(), lens.fovError.y)}});
-    for (const char* member : {"width", "height", "aspect", "principalPoint"})
-      if (json.contains(member)) page[member] = json[member];
-    if (lens.depthFault.empty()) page.update({{"near", planeText(lens.zNear)}, {"far", planeText(lens.zFar)}});
-  }
-  for (const char* member :
-       {"fx", "fy", "cx", "cy", "skew", "axes", "quaternion", "axis", "degrees", "scale", "scaledBy"})
-    if (json.contains(member)) page[member] = json[member];
-  if (r.kind == ReadingKind::p) {
-    page["eye"] = pointText(*r.eye, r.eyeError);
-    const char* const names[] = {"right", "down", "forward"};
-    for (std::size_t i = 0; i < 3; ++i) page[names[i]] = directionText(r.rows[i]);
+OrderedJson readingPage(const OrderedJson& reading) {
+  OrderedJson page{{"kind", reading["kind"]}, {"numbers", reading["layout"]}};
+  page.update(reading["convention"]);
+  if (!reading["convention"].empty()) page["presets"] = presetText(reading);
+  for (const auto& [name, value] : reading.items()) {
+    const bool isForPrograms = name == "layout" || name == "convention" || name == "presetsOtherwise" ||
+                               name == "type" || name == "window" || name == "beyondInfinity" || name == "mirrored" ||
+                               name == "depthFault" || value.is_null();
+    if (!isForPrograms && !page.contains(name) && name != "presets") page[name] = valuePage(name, value);
   }
   return page;
 }
 
 /// What differs from one reading to the next, on a line.
-OrderedJson readingLine(std::size_t number, const Reading& r, bool isInMemoryOrder) {
-  const OrderedJson page = readingPage(r, isInMemoryOrder);
+OrderedJson readingLine(std::size_t number, const OrderedJson& reading) {
+  const OrderedJson page = readingPage(reading);
   OrderedJson line{{"#", number}, {"kind", page["kind"]}, {"numbers", page["numbers"]}};
   for (const char* axis : {"world", "view", "ndcZ", "ndcY"}) line[axis] = page.value(axis, OrderedJson("-"));
   std::vector<std::string> facts;
@@ -298,41 +278,60 @@ std::string shown(std::string_view name) {
   return text.substr(0, end) + (end < text.size() ? "…" : "");
 }
 
-std::string countOf(const PassedOver& over) {
-  return over.columns > 0 && over.rows > 1
-             ? std::to_string(over.rows) + " rows of " + std::to_string(over.columns) +
-                   " numbers are no matrix; put an empty line between two matrices"
-             : std::to_string(over.numbers) + " numbers are no matrix, which has 9, 12 or 16";
+/// What has a name and is no matrix: "t (3 numbers, line 4), rvec (3 numbers, line 5)".
+std::vector<std::string> vectorsIn(const std::vector<PassedOver>& passedOver) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> vectors;
+  for (const PassedOver& over : passedOver)
+    if (over.numbers >= 3 && over.numbers < kFewest && !over.name.empty() && vectors.size() <= kMost)
+      vectors.push_back(vectors.size() == kMost ? "and others"
+                                                : shown(over.name) + " (" + std::to_string(over.numbers) +
+                                                      " numbers, line " + std::to_string(over.line) + ")");
+  return vectors;
+}
+
+/// Whether the first reading is a K of pixels in OpenCV's axes.
+bool isOpenCvK(const ReadMatrix& m) {
+  if (m.found.readings.empty()) return false;
+  const Reading& first = m.found.readings.front();
+  return first.kind == ReadingKind::k && first.pixels->axes == "RDF" && first.pixels->fx >= 20;
 }
 
 }  // namespace
 
 std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& source, const std::string& otherwise,
                                      const MatrixQuestion& question) {
-  constexpr std::size_t kFewest = 9;
   PastedMatrices pasted = findMatrices(text);
   std::vector<ReadMatrix> matrices;
   for (PastedMatrix& matrix : pasted.matrices) {
     MatrixReadings found = readingsOf(matrix);
-    if (found.readings.empty() && matrix.isInMemoryOrder && matrix.numbers.size() < 16) continue;
-    std::vector<Reading>& readings = found.readings;
-    const bool hadAny = !readings.empty();
-    if (question.readAs) readings = readingsIn(std::move(readings), *question.readAs, matrix.isInMemoryOrder);
+    if (!found.readings.empty() || !matrix.isInMemoryOrder || matrix.numbers.size() == 16)
+      matrices.push_back({std::move(matrix), std::move(found)});
+  }
+  const bool hasK = std::any_of(matrices.begin(), matrices.end(), isOpenCvK);
+  for (ReadMatrix& m : matrices) {
+    std::vector<Reading>& readings = m.found.readings;
+    if (readings.empty()) continue;
+    if (hasK) readings = readingsOf(m.pasted, true).readings;
+    if (question.readAs) readings = readingsIn(std::move(readings), *question.readAs, m.pasted.isInMemoryOrder);
     if (!question.which.empty())
       std::erase_if(readings, [&](const Reading& r) {
         return std::find(question.which.begin(), question.which.end(), r.kind) == question.which.end();
       });
-    if (hadAny && readings.empty()) found.fault = "none of its readings is as --read-as and --which state";
-    matrices.push_back({std::move(matrix), std::move(found)});
+    if (readings.empty()) m.found.fault = "none of its readings is as --read-as and --which state";
   }
-  const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + countOf(over); };
-  std::erase_if(pasted.passedOver, [&](const PassedOver& over) { return over.numbers < kFewest; });
+  const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
+  const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };
+  std::erase_if(pasted.passedOver, [](const PassedOver& over) { return over.numbers < kFewest; });
   if (matrices.empty()) {
     const auto longest = std::max_element(pasted.passedOver.begin(), pasted.passedOver.end(),
                                           [](const auto& a, const auto& b) { return a.numbers < b.numbers; });
-    throw InputError(otherwise + (longest == pasted.passedOver.end() ? "" : "; " + line(*longest)));
+    throw InputError(otherwise + (longest != pasted.passedOver.end() ? "; " + line(*longest)
+                                  : vectors.size() > 1               ? "; it has " + joined(vectors)
+                                                                     : ""));
   }
   for (const PassedOver& over : pasted.passedOver) note(source + ": " + line(over));
+  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + joined(vectors));
   return matrices;
 }
 
@@ -368,14 +367,13 @@ OrderedJson matrixPage(const ReadMatrix& matrix, std::size_t number, std::size_t
                                        : m.isByColumns   ? ", each a column"
                                                          : "")},
                    {"as understood", report["rows"]}};
-  const std::vector<Reading>& readings = matrix.found.readings;
-  if (readings.empty()) {
+  if (report["readings"].empty()) {
     page["nothing fits"] = matrix.found.fault;
     return page;
   }
-  page["likeliest reading"] = readingPage(readings.front(), m.isInMemoryOrder);
-  for (std::size_t i = 1; i < readings.size(); ++i)
-    page["other readings"].push_back(readingLine(i + 1, readings[i], m.isInMemoryOrder));
+  page["likeliest reading"] = readingPage(report["readings"].front());
+  for (std::size_t i = 1; i < report["readings"].size(); ++i)
+    page["other readings"].push_back(readingLine(i + 1, report["readings"][i]));
   page["notes"] = report["notes"];
   return page;
 }

@@ -1,5 +1,6 @@
 // Matrices in any text that people paste: code, prints of debuggers and languages, logs, prose. Numbers are never
-// reordered, added or guessed; what nearly is a matrix is passed over and said.
+// added or guessed, and reordered only by the row and column that a text states; what nearly is a matrix is passed
+// over and said.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,8 @@ struct PastedMatrix {
 /// Numbers that are no matrix.
 struct PassedOver {
   std::size_t line = 0, numbers = 0;
-  std::size_t rows = 0, columns = 0;  ///< where they are in rows of 3 or 4
+  std::string name;  ///< what stands right in front of them: t, tvec
+  std::string why;   ///< "5 rows of 4 numbers are no matrix; put an empty line between two matrices"
 };
 
 struct PastedMatrices {

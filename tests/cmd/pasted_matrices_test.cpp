@@ -103,6 +103,35 @@ constexpr Form kForms[] = {
      "P = \\begin{pmatrix} %0 & %1 & %2 & %3 \\\\\n %4 & %5 & %6 & %7 \\\\\n %8 & %9 & %a & %b \\\\\n %c & %d & %e & "
      "%f \\end{pmatrix}",
      "P", false},
+    {"LaTeX on one line",
+     "$P = \\begin{pmatrix}%0 & %1 & %2 & %3 \\\\ %4 & %5 & %6 & %7 \\\\ %8 & %9 & %a & %b \\\\ %c & %d & %e & "
+     "%f\\end{pmatrix}$",
+     "P", false},
+    {"a table of Markdown whose first row is its header",
+     "| %0 | %1 | %2 | %3 |\n|---|---|---|---|\n| %4 | %5 | %6 | %7 |\n| %8 | %9 | %a | %b |\n| %c | %d | %e | %f |\n",
+     "", false},
+    {"a table of Markdown that counts its columns",
+     "| 0 | 1 | 2 | 3 |\n|--:|--:|--:|--:|\n| %0 | %1 | %2 | %3 |\n| %4 | %5 | %6 | %7 |\n| %8 | %9 | %a | %b |\n| %c "
+     "| "
+     "%d | %e | %f |\n",
+     "", false},
+    {"a table of Markdown with names of rows",
+     "| | c0 | c1 | c2 | c3 |\n|--|--|--|--|--|\n| **r0** | %0 | %1 | %2 | %3 |\n| **r1** | %4 | %5 | %6 | %7 |\n| "
+     "**r2** "
+     "| %8 | %9 | %a | %b |\n| **r3** | %c | %d | %e | %f |\n",
+     "", false},
+    {"Eigen in gdb, column by column",
+     "$2 = Eigen::Matrix<float,4,4,ColMajor> (data ptr: 0x7ffe) = {[0,0] = %0, [1,0] = %4, [2,0] = %8, [3,0] = %c, "
+     "[0,1] "
+     "= %1, [1,1] = %5, [2,1] = %9, [3,1] = %d, [0,2] = %2, [1,2] = %6, [2,2] = %a, [3,2] = %e, [0,3] = %3, [1,3] = "
+     "%7, "
+     "[2,3] = %b, [3,3] = %f}",
+     "", false},
+    {"a log's time on each line",
+     "[2024-05-01 10:00:00.123] [info] the projection\n[2024-05-01 10:00:00.123] [info] %0 %1 %2 %3\n[2024-05-01 "
+     "10:00:00.123] [info] %4 %5 %6 %7\n[2024-05-01 10:00:00.124] [info] %8 %9 %a %b\n[2024-05-01 10:00:00.131] [info] "
+     "%c %d %e %f\n",
+     "", false},
     {"XML", "<node name='x'><transform>%0 %1 %2 %3 %4 %5 %6 %7 %8 %9 %a %b %c %d %e %f</transform></node>", "transform",
      true},
     {"YAML",
@@ -136,11 +165,15 @@ TEST_CASE("One matrix is read out of every form, number by number") {
 
 TEST_CASE("Numbers are never reordered, added or guessed: a doubt refuses") {
   const char* const none[] = {
-      "K = [[fx, 0, 320], [0, fy, 240], [0, 0, 1]]",                            // symbols
-      "[1, 0, 0, -w/2]\n[0, 1, 0, 3]\n[0, 0, 1, 4]\n",                          // an expression
-      "gluLookAt(1, 2, 3, 0, 0, 0, 0, 1, 0)",                                   // a call that makes one
-      "m = [[1, 0, 0, 2],\n [0, 1, 0, 3],\n [0, 0, 1, 4],\n",                   // cut off
-      "[1 0 0 2]   [1 0 0 5]\n[0 1 0 3]   [0 1 0 6]\n[0 0 1 4]   [0 0 1 7]\n",  // side by side
+      "K = [[fx, 0, 320], [0, fy, 240], [0, 0, 1]]",                             // symbols
+      "[1, 0, 0, -w/2]\n[0, 1, 0, 3]\n[0, 0, 1, 4]\n",                           // an expression
+      "gluLookAt(1, 2, 3, 0, 0, 0, 0, 1, 0)",                                    // a call that makes one
+      "m = [[1, 0, 0, 2],\n [0, 1, 0, 3],\n [0, 0, 1, 4],\n",                    // cut off
+      "[1 0 0 2]   [1 0 0 5]\n[0 1 0 3] vs [0 1 0 6]\n[0 0 1 4]   [0 0 1 7]\n",  // words between two matrices
+      "1 0 0 2 1 0 0 5\n0 1 0 3 0 1 0 6\n0 0 1 4 0 0 1 7\n",                     // no gap between two matrices
+      "[[1 0 0 2]\n ...\n [0 1 0 3]\n [0 0 1 4]]",                               // a row left out
+      "[[1 0 ... 0 2]\n [0 1 ... 0 3]\n [0 0 ... 1 4]]",                         // entries left out
+      "{[0,0] = 1, [1,0] = 0, [2,0] = 0, [0,1] = 0, [1,1] = 1, [2,1] = 0, [0,2] = 0, [2,2] = 1, [3,2] = 0}",
       "Columns 1 through 3\n\n 1 0 0\n 0 1 0\n 0 0 1\n\n Column 4\n\n 2\n 3\n 4\n",
       "1 2 3 4\n5 6 7 8\n9 8 7 6\n5 4 3 2\n1 2 3 4\n",                     // five rows
       "v 1 2 3\nv 4 5 6\nv 7 8 9\nf 1 2 3\n",                              // a mesh
@@ -156,7 +189,17 @@ TEST_CASE("Numbers are never reordered, added or guessed: a doubt refuses") {
   const PastedMatrices rows = findMatrices("a\n1 2 3 4\n5 6 7 8\n9 8 7 6\n5 4 3 2\n1 2 3 4\n");
   REQUIRE(rows.passedOver.size() == 1);
   CHECK(rows.passedOver.front().line == 2);
-  CHECK(rows.passedOver.front().rows == 5);
+  CHECK(rows.passedOver.front().why == "5 rows of 4 numbers are no matrix; put an empty line between two matrices");
+  // What stands beside a matrix has its name, one letter too.
+  for (const char* text : {"R = [1 0 0; 0 1 0; 0 0 1]\nt = [0.1; -0.2; 3]\n", "R = 1 0 0\n0 1 0\n0 0 1\nt = 1 2 3\n",
+                           "{'R': [[1, 0, 0], [0, 1, 0], [0, 0, 1]], 't': [1, 2, 3]}"}) {
+    INFO(text);
+    const PastedMatrices both = findMatrices(text);
+    CHECK(both.matrices.size() == 1);
+    REQUIRE(both.passedOver.size() == 1);
+    CHECK(both.passedOver.front().name == "t");
+    CHECK(both.passedOver.front().numbers == 3);
+  }
 }
 
 TEST_CASE("Several matrices of a text are told apart, each with its name and line") {
@@ -172,6 +215,17 @@ TEST_CASE("Several matrices of a text are told apart, each with its name and lin
   REQUIRE(label.matrices.size() == 2);
   CHECK(label.matrices[0].rows == 4);
   CHECK(label.matrices[1].rows == 3);
+  // Side by side, where each has brackets or a gap is between them.
+  for (const char* text : {"[1 0 0 2]   [1 0 0 5]\n[0 1 0 3]   [0 1 0 6]\n[0 0 1 4]   [0 0 1 7]\n",
+                           "1 0 0 2    1 0 0 5\n0 1 0 3    0 1 0 6\n0 0 1 4    0 0 1 7\n"}) {
+    const PastedMatrices beside = findMatrices(text);
+    REQUIRE(beside.matrices.size() == 2);
+    CHECK(valuesOf(beside.matrices[0]) == std::vector<double>{1, 0, 0, 2, 0, 1, 0, 3, 0, 0, 1, 4});
+    CHECK(valuesOf(beside.matrices[1]) == std::vector<double>{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7});
+  }
+  CHECK(findMatrices("K = [1.2\\times10^{3} & 0 & 640 \\\\ 0 & 1.2\\times10^{3} & 360 \\\\ 0 & 0 & 1]")
+            .matrices.front()
+            .at(1, 1) == 1200);
   CHECK(findMatrices("P = 1.0e+03 *\n\n 0.9 0 0.3\n 0 0.9 0.2\n 0 0 0.001\n").matrices.front().at(0, 2) == 300);
   CHECK(findMatrices("1,25 0 0,5\n0 -1,123456 0\n0 0 1,5").matrices.front().at(1, 1) == -1.123456);
 }
@@ -201,7 +255,30 @@ TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
                       {"R", rotation},
                       {"rot_mtx", rotation},
                       {"viewProj", viewProjection},
-                      {"u_MVP", viewProjection}};
+                      {"u_MVP", viewProjection},
+                      {"world_to_clip", viewProjection},
+                      {"clipFromView", projection},
+                      {"body_T_cam0", pose},
+                      {"world_T_cam", pose},
+                      {"wTc", pose},
+                      {"T_BS", pose},
+                      {"T_SC", pose},
+                      {"sensor2ego", pose},
+                      {"cam_to_velo", pose},
+                      {"g_mViewInv", pose},
+                      {"UNITY_MATRIX_I_V", pose},
+                      {"extrinsic_inv", pose},
+                      {"camera.matrixWorldInverse", view},
+                      {"cam_T_world", view},
+                      {"cTw", view},
+                      {"lidar2cam", view},
+                      {"World2View", view},
+                      {"gl_ModelViewMatrix", view},
+                      {"camera.projectionMatrixInverse", projectionInverse},
+                      {"clip_to_view", projectionInverse},
+                      {"inverse of the projection", projectionInverse},
+                      {"invViewProj", viewProjectionInverse},
+                      {"UNITY_MATRIX_I_VP", viewProjectionInverse}};
   for (const Row& row : rows) {
     INFO(row.name);
     const KindHint hint =
@@ -220,6 +297,18 @@ TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
   }
 }
 
+TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV's beside a K") {
+  const auto axesOf = [](const std::string& name, bool isBesideK = false) {
+    const auto found = findMatrices(name + " =\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n");
+    return readingsOf(found.matrices.front(), isBesideK).readings.front().camera->convention.view;
+  };
+  for (const char* name : {"Tcw", "T_WC", "body_T_cam0", "T_cam_imu", "extrinsic", "Tr_velo_to_cam"})
+    CHECK(axesOf(name) == ViewAxes::RDF);
+  for (const char* name : {"D3DXMATRIX view", "XMMATRIX view"}) CHECK(axesOf(name) == ViewAxes::RUF);
+  for (const char* name : {"view", "c2w", "matrixWorld"}) CHECK(axesOf(name) == ViewAxes::RUB);
+  CHECK(axesOf("pose", true) == ViewAxes::RDF);
+}
+
 TEST_CASE("The likeliest reading is first") {
   const auto first = [](const char* text) {
     const PastedMatrices found = findMatrices(text);
@@ -235,6 +324,16 @@ TEST_CASE("The likeliest reading is first") {
   const Reading d3d = first("[1, 0, 0, 0]\n[0, 1.5, 0, 0]\n[0, 0, 1.001001, 1]\n[0, 0, -0.1001001, 0]");
   CHECK(d3d.camera->convention.ndcZ == NdcZ::zeroToOne);
   CHECK(d3d.layout == MatrixLayout::transposed);
+  // The inverse of a projection, with a name or without one; not where the matrix itself is usual.
+  for (const char* name : {"inverseProjection", "M"}) {
+    const Reading inverse =
+        first((name + std::string(" = [1.0264 0 0 0; 0 0.57735 0 0; 0 0 0 -1; 0 0 -4.995 5.005]")).c_str());
+    REQUIRE(inverse.kind == ReadingKind::projectionInverse);
+    CHECK(inverse.camera->lens->zNear.value == Approx(0.1));
+    CHECK(inverse.camera->lens->zFar.value == Approx(100));
+    CHECK(inverse.layout == MatrixLayout::asWritten);
+  }
+  CHECK(gl.kind == ReadingKind::projection);
   // Signs of a K are axes.
   const Reading k = first("[880, 0, -320; 0, -870, -240; 0, 0, -1]");
   CHECK(k.kind == ReadingKind::k);
@@ -271,7 +370,7 @@ TEST_CASE("The likeliest reading is first") {
 
 TEST_CASE("No interval misses the truth, however many digits are printed") {
   constexpr const char* kForms3[] = {"%.*f", "%.*e", "%.*g"};
-  int read = 0, sure = 0;
+  int read = 0, readInverses = 0, sure = 0;
   for (std::uint64_t trial = 0; trial < 1000; ++trial) {
     Random random(trial);
     Convention c;
@@ -282,8 +381,10 @@ TEST_CASE("No interval misses the truth, however many digits are printed") {
     const double half = random.uniform(0.2, 1.5), aspect = random.uniform(0.5, 2);
     const Projection lens = perspectiveWindow(-half * aspect, half * aspect, -half, half, near, far);
     const Pose pose = lookAlong(random.vector(10), random.direction(), {0.1, 1, 0.2}, Handedness::right);
-    const bool isProjection = random.oneIn(3);
-    Mat4 m = isProjection ? clipFromView(lens, c) : clipFromWorld(pose, lens, c);
+    const bool isProjection = random.oneIn(3), isInverse = trial % 4 == 3;
+    Mat4 m = isInverse      ? isProjection ? viewFromClip(lens, c) : worldFromClip(pose, lens, c)
+                  : isProjection ? clipFromView(lens, c)
+                            : clipFromWorld(pose, lens, c);
     const bool isFloat = random.coin();
     const char* const form = random.oneOf(kForms3);
     const int digits = 3 + static_cast<int>(random.below(7));
@@ -301,10 +402,11 @@ TEST_CASE("No interval misses the truth, however many digits are printed") {
     for (const Reading& r : readingsOf(found.matrices.front()).readings) {
       const bool isIt = r.layout == MatrixLayout::asWritten && r.camera && r.camera->lens &&
                         !r.camera->lens->orthographic && r.camera->lens->depthFault.empty() &&
-                        r.camera->convention.ndcZ == c.ndcZ && r.camera->convention.reverseZ == c.reverseZ;
+                        isInverse == (r.kind > ReadingKind::rotation) && r.camera->convention.ndcZ == c.ndcZ &&
+                        r.camera->convention.reverseZ == c.reverseZ;
       if (!isIt) continue;
       const MatrixLens& l = *r.camera->lens;
-      ++read;
+      ++(isInverse ? readInverses : read);
       sure += std::isfinite(l.zFar.high) ? 1 : 0;
       CHECK(l.zNear.low <= near * (1 + 1e-15));
       CHECK(near <= l.zNear.high * (1 + 1e-15));
@@ -317,7 +419,8 @@ TEST_CASE("No interval misses the truth, however many digits are printed") {
       for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(eye[i] - truth[i]) <= r.camera->eyeError[i]);
     }
   }
-  CHECK(read > 900);
+  CHECK(read > 675);
+  CHECK(readInverses > 100);
   CHECK(sure > 300);
 }
 
@@ -332,20 +435,25 @@ TEST_CASE("Another convention's matrix is that of the same camera, and entries t
         to.world = from.convention.world;
         const Pose pose = lookAlong(random.vector(10), random.direction(), {0.1, 1, 0.2}, from.convention.world);
         const auto matrices = [&](const Convention& c) {
-          return std::array{clipFromView(lens, c), viewFromWorld(pose, c), clipFromWorld(pose, lens, c)};
+          return std::array{clipFromView(lens, c), viewFromWorld(pose, c), clipFromWorld(pose, lens, c),
+                            viewFromClip(lens, c), worldFromClip(pose, lens, c)};
         };
         const auto given = matrices(from.convention), wanted = matrices(to);
-        constexpr ReadingKind kKinds[] = {ReadingKind::projection, ReadingKind::view, ReadingKind::viewProjection};
-        for (std::size_t k = 0; k < 3; ++k) {
+        constexpr ReadingKind kKinds[] = {ReadingKind::projection, ReadingKind::view, ReadingKind::viewProjection,
+                                          ReadingKind::projectionInverse, ReadingKind::viewProjectionInverse};
+        for (std::size_t k = 0; k < 5; ++k) {
           Reading reading;
           reading.kind = kKinds[k];
           reading.camera.emplace().convention = from.convention;
+          reading.camera->kind = k % 3 == 0 ? MatrixKind::projection : MatrixKind::viewProjection;
           reading.camera->lens.emplace();
           const Mat4 got = converted(reading, given[k], to);
           for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < 4; ++j) {
-              const bool isDepth = i == 2 && k != 1;
-              const double size = isDepth ? 4e-16 * (std::fabs(given[k][2][j]) + std::fabs(given[k][3][j])) : 0;
+              const double size = k > 2 && j > 1 ? 8e-16 * (std::fabs(given[k][i][2]) + std::fabs(given[k][i][3]))
+                                  : i == 2 && k != 1 && k < 3
+                                      ? 4e-16 * (std::fabs(given[k][2][j]) + std::fabs(given[k][3][j]))
+                                      : 0;
               CHECK(std::fabs(got[i][j] - wanted[k][i][j]) <= size);
               ++compared;
             }

@@ -1,0 +1,191 @@
+// What a name, or the lines in front of a matrix, say of its kind.
+#include <algorithm>
+#include <span>
+
+#include "commands/matrix_readings.hpp"
+#include "commands/pasted_parts.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using pasted::isAmong;
+using pasted::isOneOf;
+using Words = std::vector<std::string>;
+
+/// In lower case: worldToCamera, world2camera and "World to camera" are world, to or 2, camera. A word of its own is
+/// the end of a clause.
+Words wordsOf(std::string_view text) {
+  Words words(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i], last = i > 0 ? text[i - 1] : ' ', next = i + 1 < text.size() ? text[i + 1] : ' ';
+    const bool isUpper = c >= 'A' && c <= 'Z', isPart = isLetter(c) || isDigit(c);
+    const bool begins = (isUpper && ((last >= 'a' && last <= 'z') || isDigit(last))) ||
+                        (c == '2' && isLetter(last) && isLetter(next)) || (words.back() == "2" && isLetter(c));
+    const bool isEnd = isAmong(c, ".,;:!?");
+    if ((!isPart || begins) && !words.back().empty()) words.emplace_back();
+    if (isPart) words.back() += isUpper ? static_cast<char>(c - 'A' + 'a') : c;
+    if (isEnd) words.insert(words.end() - 1, ".");
+  }
+  return words;
+}
+
+/// A transform from one frame to another, and how many words name it.
+struct Frames {
+  std::string_view from, to;
+  std::size_t words = 0;
+  bool isOfVision = false;  ///< in the notation of robotics and computer vision
+};
+
+std::string_view withoutDigits(std::string_view w) { return w.substr(0, w.find_last_not_of("0123456789") + 1); }
+
+bool isCamera(std::string_view w) { return isOneOf(withoutDigits(w), {"c", "cam", "camera", "view", "eye"}); }
+bool isSensor(std::string_view w) { return isOneOf(withoutDigits(w), {"s", "sensor"}); }
+bool isClip(std::string_view w) { return isOneOf(w, {"clip", "ndc"}); }
+bool isRobot(std::string_view w) {
+  return isSensor(w) || isOneOf(withoutDigits(w), {"imu", "body", "ego", "velo", "lidar", "base", "b", "i"});
+}
+bool isUsualFrame(std::string_view w) {
+  return isCamera(w) || isRobot(w) || isOneOf(w, {"w", "world", "g", "l", "m", "o", "v"});
+}
+bool isFrame(std::string_view w) {
+  return !w.empty() && isLetter(w[0]) && !isOneOf(w, {"to", "from", "t", "the", "a", "of", "in", "is"});
+}
+
+/// World to camera, cam_from_world, T_WC, T_imu_cam, body_T_cam, wTc, Twc.
+Frames framesAt(const Words& words, std::size_t at) {
+  const auto word = [&](std::size_t i) { return at + i < words.size() ? std::string_view(words[at + i]) : ""; };
+  const std::string_view first = word(0), second = word(1), third = word(2);
+  if (isFrame(first) && isFrame(third)) {
+    if (isOneOf(second, {"to", "2"})) return {first, third, 3, isRobot(first) || isRobot(third)};
+    if (second == "from") return {third, first, 3, isRobot(first) || isRobot(third)};
+    if (second == "t") return {third, first, 3, true};
+  }
+  if (isFrame(first) && second.size() > 1 && second[0] == 't' && isUsualFrame(second.substr(1)))
+    return {second.substr(1), first, 2, true};
+  if (first == "t" && isFrame(second) && isFrame(third)) return {third, second, 3, true};
+  if (first == "t" && second.size() == 2) return {second.substr(1), second.substr(0, 1), 2, true};
+  if (first.size() == 3 && first[0] == 't' && isUsualFrame(first.substr(1, 1)) && isUsualFrame(first.substr(2)))
+    return {first.substr(2), first.substr(1, 1), 1, true};
+  return {};
+}
+
+/// The word for the matrix that maps between two frames, or an empty one.
+std::string_view kindWord(const Frames& f) {
+  if (isClip(f.to)) return isCamera(f.from) ? "_proj" : "_viewproj";
+  if (isClip(f.from)) return isCamera(f.to) ? "_proj_inverse" : "_viewproj_inverse";
+  if (isCamera(f.from) != isCamera(f.to)) return isCamera(f.from) ? "_pose" : "_view";
+  if (isSensor(f.from) != isSensor(f.to)) return isSensor(f.from) ? "_pose" : "_view";
+  return !isCamera(f.from) && isOneOf(f.to, {"world", "w", "global", "map"}) ? "_pose" : "";
+}
+
+/// _ stands before each word, and after one that must end there.
+struct KindWords {
+  ReadingKind kind;
+  std::string_view words;
+};
+
+/// Of two that end at the same place the first counts.
+constexpr KindWords kKindWords[] = {
+    {ReadingKind::viewProjection, "_viewproj _view_proj _proj_view _projection_view _projection_matrix_view"},
+    {ReadingKind::viewProjection, "_mvp_ _wvp_ _vp_ _full_proj _culling"},
+    {ReadingKind::pose, "_pose _matrix_world _eye_transform _eyetransform"},
+    {ReadingKind::view, "_extrin _look_at _lookat _world_view _view"},
+    {ReadingKind::projection, "_proj _persp _frustum _ortho"},
+    {ReadingKind::k, "_intrin _camera_matrix _mtx_ _linemod _calib"},
+    {ReadingKind::rotation, "_rot"}};
+/// Letters are names, and no words of prose.
+constexpr KindWords kKindLetters[] = {{ReadingKind::k, "_k_"},
+                                      {ReadingKind::rotation, "_r_"},
+                                      {ReadingKind::view, "_v_ _mv_"},
+                                      {ReadingKind::projection, "_p_"}};
+/// What an object has too.
+constexpr KindWords kWeakWords[] = {{ReadingKind::pose, "_world_matrix _model _transform _root"},
+                                    {ReadingKind::view, "_modelview"}};
+constexpr double kWeakly = 3;
+
+ReadingKind inverseOf(ReadingKind kind) {
+  using enum ReadingKind;
+  return kind == view             ? pose
+         : kind == pose           ? view
+         : kind == projection     ? projectionInverse
+         : kind == viewProjection ? viewProjectionInverse
+                                  : kind;
+}
+
+/// The kind that the last known word speaks of, inverted where a word says so: of a name any, else one beside it.
+KindHint lastHint(std::string_view text, std::initializer_list<std::span<const KindWords>> lists, bool isName) {
+  KindHint hint;
+  std::size_t begin = 0, end = 0;
+  for (const auto& list : lists)
+    for (const auto& [kind, words] : list)
+      for (std::size_t first = 0, after = 0; after < words.size(); first = after + 1) {
+        after = std::min(words.find(' ', first), words.size());
+        const std::size_t at = text.rfind(words.substr(first, after - first)), size = after - first;
+        if (at == text.npos || at + size <= end) continue;
+        begin = at;
+        end = at + size;
+        hint.kind = kind;
+      }
+  constexpr std::size_t kBeside = 16;  // "inverse of the"
+  if (!isName) {
+    const std::size_t first = begin - std::min(begin, kBeside);
+    text = text.substr(first, end + kBeside - first);
+    begin -= first;
+  }
+  if (hint.kind && (text.find("_inv") != text.npos || text.substr(0, begin).ends_with("_i")))
+    hint.kind = inverseOf(*hint.kind);
+  return hint;
+}
+
+KindHint hintIn(std::string_view text, bool isName) {
+  const Words words = wordsOf(text);
+  std::string joined;
+  bool isOfVision = false;
+  for (std::size_t i = 0; i < words.size();) {
+    const Frames frames = framesAt(words, i);
+    const std::string_view kind = frames.words > 0 ? kindWord(frames) : "";
+    isOfVision = isOfVision || (!kind.empty() && frames.isOfVision);
+    const bool isOther = isOneOf(words[i], {"viewport", "viewer", "viewing", "viewpoint"}) ||
+                         (i > 0 && words[i] == "view" && words[i - 1] == "of") ||
+                         (i > 0 && words[i] == "mtx" && words[i - 1] == "rot");
+    if (!kind.empty())
+      joined += kind;
+    else if (!isOther)
+      joined += "_" + words[i];
+    i += kind.empty() ? 1 : frames.words;
+  }
+  joined += "_";
+  KindHint hint = isName ? lastHint(joined, {kKindWords, kKindLetters}, true) : lastHint(joined, {kKindWords}, false);
+  hint.weight = kSpoken;
+  if (!hint.kind) {
+    hint = lastHint(joined, {kWeakWords}, isName);
+    hint.weight = kWeakly;
+  }
+  for (const char* word : {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"})
+    isOfVision = isOfVision || joined.find(word) != std::string::npos;
+  for (const char* word : {"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})
+    if (joined.find(word) != std::string::npos) hint.axes = ViewAxes::RUF;
+  if (isOfVision) hint.axes = ViewAxes::RDF;
+  return hint;
+}
+
+}  // namespace
+
+KindHint hintOf(const PastedMatrix& m) {
+  KindHint around = hintIn(m.context, false);
+  for (const char* mark : {"<Matrix ", " O: (", "matrix3 ["})
+    if (m.context.find(mark) != std::string::npos) return {ReadingKind::pose, kSpoken, around.axes};
+  constexpr std::size_t kMost = 300;
+  const std::string_view name = std::string_view(m.name).substr(0, kMost);
+  std::size_t part = 0;  // transform of scene.camera.transform
+  for (std::size_t i = 1; i + 1 < name.size(); ++i)
+    if (name[i] == '.' && (isLetter(name[i + 1]) || name[i + 1] == '_') && name[i - 1] != ' ') part = i + 1;
+  for (const std::string_view text : {name.substr(part), name})
+    if (KindHint hint = hintIn(text, true); hint.kind) {
+      if (!hint.axes) hint.axes = around.axes;
+      return hint;
+    }
+  return around;
+}
+
+}  // namespace viewproj::cmd
