@@ -1,5 +1,4 @@
 // viewproj check: whether points and pixels agree, and which mistake explains it where they do not.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -121,22 +120,22 @@ int runCheck(const CheckOptions& o) {
 
 Action declareCheck(CLI::App& app) {
   const auto o = std::make_shared<CheckOptions>();
-  app.description(
+  describe(
+      app,
       "Whether each point lies at the pixel beside it (u,v, px,py, screen or pixel); where not, by how much it misses, "
       "which mistake explains it (viewproj help mistakes), and what mends it. Exit status: 0 all agree, 1 some do not, "
-      "2 an error.");
-  app.footer(
+      "2 an error.",
       "Examples:\n"
       "  camera='--position 3,2,5 --target 0,0,0 --viewport 1280x720'\n"
       "  viewproj check $camera --fov-y 60 --point 1,1,1 --pixel 687.1,428.7 || true\n"
       "  viewproj project $camera --fov-y 60 --point 1,1,1 --point 0,2,1 |\n"
       "    viewproj check $camera --fov-x 60 || true");
   o->stream.addPoints(app);
-  CLI::Option* const point = app.get_option("--point");
+  CLI::Option* const point = findOption(app, "--point");
   CLI::Option* const pixel =
       addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "The pixel of the point, in the same order");
-  point->needs(pixel);
-  pixel->needs(point);
+  require(point, pixel);
+  require(pixel, point);
   addValue(app, "--within", "PIXELS", o->within,
            numberThat([](double pixels) { return pixels >= 0; }, "a number of pixels, 0 or more"),
            "Largest distance that still agrees (default: 0.1)");

@@ -1,5 +1,4 @@
 // viewproj draw: an SVG of what the camera sees.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -221,12 +220,12 @@ int runDraw(const DrawOptions& o) {
 
 Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<DrawOptions>();
-  app.description(
+  describe(
+      app,
       "An SVG of what the camera sees. Points have their id, name or number; hidden ones are hollow. Edges of shapes "
       "are "
       "dashed where a shape hides them. A point with a pixel beside it, as check reads it, has an arrow from there to "
-      "the computed pixel.");
-  app.footer(
+      "the computed pixel.",
       "Examples:\n"
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
@@ -235,10 +234,11 @@ Action declareDraw(CLI::App& app) {
   o->stream.addPoints(app);
   addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "A pixel to mark, with what it hits");
   CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw");
-  addValue(app, "--height", "H", o->height, numberThat([](double h) { return h >= kLeastCrossedHeight; }, "a height"),
-           "The ground at this height: z = H, or the Earth's")
-      ->excludes(scene);
-  app.add_flag("--stems", o->hasStems, "A line from each point down to the ground");
+  exclude(addValue(app, "--height", "H", o->height,
+                   numberThat([](double h) { return h >= kLeastCrossedHeight; }, "a height"),
+                   "The ground at this height: z = H, or the Earth's"),
+          scene);
+  addFlag(app, "--stems", o->hasStems, "A line from each point down to the ground");
   addOption(
       app, "--label", "NAMES",
       [o](const std::string& option, const std::string& text) { o->labels = splitNames(option, text); },

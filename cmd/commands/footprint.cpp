@@ -1,5 +1,4 @@
 // viewproj footprint: what each camera's picture shows of the ground.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -233,26 +232,29 @@ int runFootprint(const FootprintOptions& o) {
 
 Action declareFootprint(CLI::App& app) {
   const auto o = std::make_shared<FootprintOptions>();
-  app.description(
+  describe(
+      app,
       "What each picture shows of the ground: its outline as a polygon, the area, and the ground sampling distance, "
       "metres a pixel, at the centre and the corners. Takes all cameras of the files, or those that #NAME picks. What "
-      "lies beyond the horizon or --max-distance is cut there, and `cut` says so.");
-  app.footer(
+      "lies beyond the horizon or --max-distance is cut there, and `cut` says so.",
       "Examples:\n"
       "  viewproj footprint --position lat=46.9481,lon=7.4474,height=640 \\\n"
       "    --heading 212 --pitch -35 --fov-x 74 --viewport 5472x3648 --height 545\n"
       "  viewproj footprint --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --plane z=0 --max-distance 50 --to csv");
   const auto aboveZero = [](double number) { return number > 0 && std::isfinite(number); };
-  addValue(app, "--height", "H", o->height,
-           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
-           "The ground: the Earth's surface of this height, or z = H");
-  addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0")
-      ->excludes("--height");
-  addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
-           "The same above sea level, which --geoid gives")
-      ->excludes("--height")
-      ->excludes("--plane");
+  CLI::Option* const height =
+      addValue(app, "--height", "H", o->height,
+               numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
+               "The ground: the Earth's surface of this height, or z = H");
+  CLI::Option* const plane =
+      addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0");
+  CLI::Option* const altitude =
+      addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
+               "The same above sea level, which --geoid gives");
+  exclude(plane, height);
+  exclude(altitude, height);
+  exclude(altitude, plane);
   addValue(app, "--max-distance", "D", o->most, numberThat(aboveZero, "a distance above 0"),
            "What is farther from the eye is cut (default: nothing)");
   addValue(app, "--error", "E", o->error, numberThat(aboveZero, "a distance above 0"),
