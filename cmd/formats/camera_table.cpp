@@ -24,7 +24,8 @@ constexpr std::string_view kNameColumns = "name camera image file FileName label
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
-    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far viewport.width "
+    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far "
+    "viewport.width "
     "viewport.height "
     "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
 
@@ -76,7 +77,8 @@ std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name != "rpy")
-    (order ? *order : *yaw).fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
+    (order ? *order : *yaw)
+        .fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
   return {{name, kRpy}};
 }
 
@@ -101,6 +103,10 @@ using Paths = std::unordered_map<std::string, std::string>;
 
 Json documentOf(const Node& row, const Paths& paths) {
   const bool onEarth = isOnEarth(row.json());
+  // Only an orthographic camera has a window of a size.
+  const bool isPerspective = std::any_of(row.json().items().begin(), row.json().items().end(), [](const auto& column) {
+    return isWord(column.key(), "fx fy fovX fovY fovDiagonal focalLength");
+  });
   Json fields = Json::object();
   const auto turns = turnsOf(row);
   std::vector<Json> degrees(3, 0);
@@ -120,14 +126,17 @@ Json documentOf(const Node& row, const Paths& paths) {
   for (const auto& [column, cell] : row.json().items()) {
     const Node node = *row.find(column);
     if (isEmpty(cell) || putTurn(column, node)) continue;
-    if ((column == "width" || column == "height") && !onEarth)
+    const bool isSize = (column == "width" || column == "height") && !onEarth;
+    if (isSize && !isPerspective)
       node.fail("may be the picture's or the window's: call it viewport." + column + " or projection." + column);
     if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
       coefficients.emplace_back(coefficient, numberOf(node));
       continue;
     }
     const auto found = paths.find(column);
-    const std::string path = found == paths.end() ? pathOf(column, onEarth) : found->second;
+    const std::string path = isSize                 ? "viewport." + column
+                             : found == paths.end() ? pathOf(column, onEarth)
+                                                    : found->second;
     if (path.empty()) continue;
     node.mark();
     if (path == "distortion.model") {
@@ -135,7 +144,9 @@ Json documentOf(const Node& row, const Paths& paths) {
       continue;
     }
     const auto number = numbersIn(cell);
-    placeAt(fields, path) = number && number->size() == 1 ? Json(number->front()) : cell;
+    Json& place = placeAt(fields, path);
+    if (!place.is_null()) node.fail("is said by another column too; keep one");
+    place = number && number->size() == 1 ? Json(number->front()) : cell;
   }
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};

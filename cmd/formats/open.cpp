@@ -99,12 +99,21 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
   const Node root(*file);
   if (opening.parts) return importParts(root, *opening.parts);
   const std::vector<Claim> found = claimsOf(root, false);
-  if (!preset.empty() && !found.empty() && !found.front().mayBeMatrices) failPreset(file->name, found.front().form);
+  const bool isTable = !found.empty() && found.front().name == kTable.name;
+  if (!preset.empty() && !found.empty() && !found.front().mayBeMatrices && !isTable)
+    failPreset(file->name, found.front().form);
   if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
   if (!found.empty()) {
     const Claim& claim = found.front();
     Import result = openClaimed(*file, claim);
     if (!preset.empty() && claim.name == kPoses.name) failPreset(file->name, claim.form);
+    if (!preset.empty() && isTable)
+      for (CameraEntry& camera : result.cameras)
+        camera.document = [file, document = camera.document, preset] {
+          Document row{file->name, std::make_shared<Json>(document())};
+          readAs(row, preset);
+          return std::move(*row.root);
+        };
     keepWorld(result.cameras, opening.pick.value_or(""));
     if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), claim.known);
