@@ -366,10 +366,10 @@ std::vector<Explanation> Search::pixelOrder() const {
     e.misses.push_back(at - near->pixel);
     e.largest = std::max(e.largest, length(e.misses.back()));
     e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
+    if (near->line == pair.line) continue;
     std::string& words = e.hypothesis.words;
-    if (near->line != pair.line)
-      words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
-               std::to_string(near->line);
+    words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
+             std::to_string(near->line);
   }
   return {e};
 }

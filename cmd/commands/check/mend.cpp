@@ -55,8 +55,9 @@ Document withCamera(CameraFile file, const PlainCamera& from, const PlainCamera&
   if (to.terms && to.terms != from.terms) {
     std::vector<double> k(to.terms->k.begin(), to.terms->k.end());
     while (k.size() > 1 && k.back() == 0) k.pop_back();
-    Json& lens = (*changed.root)["distortion"] = {{"model", "brown"}, {"k", k}};
+    Json lens{{"model", "brown"}, {"k", k}};
     if (to.terms->p != std::array<double, 2>{}) lens["p"] = to.terms->p;
+    (*changed.root)["distortion"] = std::move(lens);
   }
   return changed;
 }
