@@ -87,12 +87,11 @@ PlainCamera moved(const Fit& fit, double size, const PlainCamera& from, const st
     if (isBetween(one, By::X, By::Z)) to.eye = sum(to.eye, v * size, fit.world[offsetOf(one, By::X)]);
     if (one == By::up) to.eye = sum(to.eye, v * size, fit.up);
     if (one == By::u) to.eye = scaled(to.eye, 1 + v);
-    if (one >= By::k1 && !to.trial) {
-      to.trial = TrialLens{};
-      if (from.lens) to.trial = {{from.lens->k()[0], from.lens->k()[1], from.lens->k()[2]}, from.lens->p()};
+    if (one >= By::k1) {
+      if (!to.terms) to.terms.emplace();
+      to.terms->limit = HUGE_VAL;
+      (one >= By::p1 ? to.terms->p[offsetOf(one, By::p1)] : to.terms->k[offsetOf(one, By::k1)]) += v;
     }
-    if (isBetween(one, By::k1, By::k2)) to.trial->k[offsetOf(one, By::k1)] += v;
-    if (isBetween(one, By::p1, By::p2)) to.trial->p[offsetOf(one, By::p1)] += v;
   }
   if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
   return to;
@@ -272,10 +271,8 @@ std::vector<PlainCamera> startsOf(const Fit& fit, const std::vector<By>& by) {
 
 /// Whether it can be of these pairs.
 bool applies(const Fit& fit, const std::vector<By>& by) {
-  const auto& lens = fit.camera.lens;
-  const bool isPolynomial =
-      !lens || (lens->model() == LensModel::brown && lens->k()[3] == 0 && lens->k()[4] == 0 && lens->k()[5] == 0);
-  if (by[0] >= By::k1 && (fit.camera.isOrthographic || !isPolynomial)) return false;
+  const bool hasOtherLens = fit.camera.lens && !fit.camera.terms;
+  if (by[0] >= By::k1 && (fit.camera.isOrthographic || hasOtherLens)) return false;
   if (by[0] == By::u && (fit.isOnEarth || !(length(fit.camera.eye) > 0))) return false;
   return 2 * fit.pairs.size() >= by.size() + 1;
 }
@@ -287,7 +284,7 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   double degrees = angleOf(turned) * 180 / std::numbers::pi;
   if (isBetween(family.by[0], By::h, By::r) && dot(skewOf(turned), axisOf(fit, to, family.by[0])) < 0)
     degrees = -degrees;
-  const TrialLens lens = to.trial.value_or(TrialLens{});  // no step has made one: its numbers are 0
+  const BrownTerms lens = to.terms.value_or(BrownTerms{});  // no step has made one: its numbers are 0
   const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
                                              {'g', to.focal.y / from.focal.y},
                                              {'x', to.centre.x - from.centre.x},

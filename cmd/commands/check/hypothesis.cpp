@@ -53,9 +53,13 @@ Vec2 Hypothesis::pixel(const Vec2& given) const {
   return at;
 }
 
+Vec2 missOf(const Hypothesis& h, const Pair& pair) {
+  return pixelOf(h.camera, h.point(pair.point)) - h.pixel(pair.pixel);
+}
+
 std::vector<Vec2> missesOf(const Hypothesis& h, std::span<const Pair> pairs) {
   std::vector<Vec2> misses;
-  for (const Pair& pair : pairs) misses.push_back(pixelOf(h.camera, h.point(pair.point)) - h.pixel(pair.pixel));
+  for (const Pair& pair : pairs) misses.push_back(missOf(h, pair));
   return misses;
 }
 

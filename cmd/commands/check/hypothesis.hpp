@@ -61,7 +61,8 @@ struct Hypothesis {
   bool movesPixels() const { return pixels != PixelMap{} || lensPasses != 0; }
 };
 
-/// What it leaves of each pair; NaN where the point has no pixel.
+/// What it leaves of a pair, and of each; NaN where the point has no pixel.
+Vec2 missOf(const Hypothesis& hypothesis, const Pair& pair);
 std::vector<Vec2> missesOf(const Hypothesis& hypothesis, std::span<const Pair> pairs);
 
 /// As --set has them.

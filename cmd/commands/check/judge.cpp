@@ -147,7 +147,10 @@ class Search {
   /// Those of the hypotheses that explain something. wrong: how many pairs they may, and must, leave out.
   std::vector<Explanation> judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
                                   std::size_t wrong = 0) const;
-  double evidenceOf(const Explanation& e, const std::vector<std::size_t>& right) const;
+  /// Of what the pairs that it is of miss by before, and the rms that it leaves.
+  double evidenceOf(const Hypothesis& h, double rms, const std::vector<std::size_t>& right) const;
+  /// Whether it has evidence in a few of many pairs.
+  bool mayExplain(const Hypothesis& h) const;
   void seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries);
   void seek(const std::vector<Hypothesis>& hypotheses, Stage stage) {
     seek(hypotheses, stage, static_cast<double>(hypotheses.size()));
@@ -178,8 +181,7 @@ Search::Search(const CameraFile& file, std::span<const Pair> pairs, double withi
       rows_(rowsOf(file)),
       before_(missesOf(nothing_, pairs)) {}
 
-double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& right) const {
-  const Hypothesis& h = e.hypothesis;
+double Search::evidenceOf(const Hypothesis& h, double rms, const std::vector<std::size_t>& right) const {
   const auto n = static_cast<double>(right.size());
   std::vector<Vec2> mended;
   Vec2 mean, squares;
@@ -190,7 +192,7 @@ double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& 
   for (const Vec2& at : mended)
     squares = {squares.x + (at.x - mean.x) * (at.x - mean.x), squares.y + (at.y - mean.y) * (at.y - mean.y)};
   const double grow = growthOf(h);
-  const double left = std::max(e.rms * grow, kFloor);
+  const double left = std::max(rms * grow, kFloor);
   const auto deviation = [&](double sum) { return right.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
   const Vec2 most{deviation(squares.x), deviation(squares.y)};
   if (2 * left >= std::max(most.x, most.y)) return 0;
@@ -208,11 +210,26 @@ double Search::evidenceOf(const Explanation& e, const std::vector<std::size_t>& 
   return std::accumulate(gains.begin(), kept, 0.0);
 }
 
+bool Search::mayExplain(const Hypothesis& h) const {
+  constexpr std::size_t kFew = 64;
+  std::vector<std::size_t> few;
+  double squares = 0;
+  for (std::size_t i = 0; i < pairs_.size(); i += pairs_.size() / kFew) {
+    const double distance = length(missOf(h, pairs_[i]));
+    squares += distance * distance;
+    few.push_back(i);
+  }
+  const double rms = std::sqrt(squares / (2 * static_cast<double>(few.size())));
+  return std::isfinite(rms) && evidenceOf(h, rms, few) > 0;
+}
+
 std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
                                         std::size_t wrong) const {
   const std::size_t n = pairs_.size();
   std::vector<Explanation> found;
+  const bool areMany = n > 200 && wrong == 0;
   for (Hypothesis& h : hypotheses) {
+    if (areMany && !mayExplain(h)) continue;
     Explanation e{.hypothesis = std::move(h), .stage = stage};
     e.misses = missesOf(e.hypothesis, pairs_);
     std::vector<double> distances;
@@ -245,7 +262,7 @@ std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stag
     e.rms = rmsOf(squares, 2 * right.size());
     const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
     const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
-    e.evidence = evidenceOf(e, right) - std::log(std::max(tries, 1.0)) - choices;
+    e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
     const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
     if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
   }
@@ -349,10 +366,10 @@ std::vector<Explanation> Search::pixelOrder() const {
     e.misses.push_back(at - near->pixel);
     e.largest = std::max(e.largest, length(e.misses.back()));
     e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
+    if (near->line == pair.line) continue;
     std::string& words = e.hypothesis.words;
-    if (near->line != pair.line)
-      words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
-               std::to_string(near->line);
+    words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
+             std::to_string(near->line);
   }
   return {e};
 }
@@ -427,6 +444,7 @@ std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, co
   camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1])
                                                         : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
   camera.lens = own.lens;
+  if (h.camera.terms == was.terms) camera.terms = own.terms;
   return {anew};
 }
 

@@ -1,5 +1,8 @@
 #include "commands/check/plain_camera.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd::mistakes {
@@ -8,11 +11,11 @@ namespace {
 constexpr Vec2 kNone{NAN, NAN};
 
 /// NaN where the lens folds: where its radius no longer grows.
-Vec2 bent(const TrialLens& lens, double x, double y) {
+Vec2 bent(const BrownTerms& lens, double x, double y) {
   const auto& [k1, k2, k3] = lens.k;
   const auto& [p1, p2] = lens.p;
   const double u = x * x + y * y, g = 1 + u * (k1 + u * (k2 + u * k3));
-  if (!(g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
+  if (!(u < lens.limit && g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
   return {x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x), y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y};
 }
 
@@ -22,6 +25,14 @@ Vec2 unitOf(const PlainCamera& camera, const Vec2& pixel) {
 }
 Vec2 inPixels(const PlainCamera& camera, const Vec2& at) {
   return {camera.focal.x * at.x + camera.centre.x, camera.focal.y * at.y + camera.centre.y};
+}
+
+std::optional<BrownTerms> termsOf(const std::optional<Lens>& lens) {
+  if (!lens || lens->model() != LensModel::brown) return std::nullopt;
+  const auto& [k1, k2, k3, k4, k5, k6] = lens->k();
+  if (k4 != 0 || k5 != 0 || k6 != 0) return std::nullopt;
+  const double limit = std::tan(std::min(lens->limitDegrees(), 90.0) * std::numbers::pi / 180);
+  return BrownTerms{{k1, k2, k3}, lens->p(), limit * limit};
 }
 
 }  // namespace
@@ -50,6 +61,7 @@ PlainCamera plainOf(const Camera& camera) {
           .focal = {k.fx, downwards * k.fy},
           .centre = {k.cx, k.cy},
           .lens = lensOf(camera),
+          .terms = termsOf(lensOf(camera)),
           .isOrthographic = camera.projection().isOrthographic()};
 }
 
@@ -65,10 +77,10 @@ Vec3 wayTo(const PlainCamera& camera, const Vec4& p) {
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& p) {
   const Vec3 at = camera.axes * wayTo(camera, p);
   if (camera.isOrthographic) return p.w == 0 ? kNone : inPixels(camera, {at.x, at.y});
-  if (camera.lens && !camera.trial) return inPixels(camera, distorted(*camera.lens, at));
+  if (camera.lens && !camera.terms) return inPixels(camera, distorted(*camera.lens, at));
   if (!(at.z > 0)) return kNone;
   const Vec2 seen{at.x / at.z, at.y / at.z};
-  return inPixels(camera, camera.trial ? bent(*camera.trial, seen.x, seen.y) : seen);
+  return inPixels(camera, camera.terms ? bent(*camera.terms, seen.x, seen.y) : seen);
 }
 
 Vec3 rayOf(const PlainCamera& camera, const Vec2& pixel) {

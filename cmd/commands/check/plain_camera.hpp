@@ -40,10 +40,12 @@ inline Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b
 inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 using cmd::length;
 
-/// A lens that is being sought: Brown's radial and tangential terms.
-struct TrialLens {
+/// Brown's radial and tangential terms, for a lens of these alone.
+struct BrownTerms {
   std::array<double, 3> k{};
   std::array<double, 2> p{};
+  double limit = HUGE_VAL;  ///< of the square of the radius before the lens
+  friend bool operator==(const BrownTerms&, const BrownTerms&) = default;
 };
 
 struct PlainCamera {
@@ -51,7 +53,7 @@ struct PlainCamera {
   Vec3 eye;
   Vec2 focal, centre;  ///< in pixels; focal.y is negative where y runs upwards
   std::optional<Lens> lens = {};
-  std::optional<TrialLens> trial = {};  ///< in place of lens
+  std::optional<BrownTerms> terms = {};  ///< in place of lens: a quick form of it, or one that is sought
   bool isOrthographic = false;
 };
 
