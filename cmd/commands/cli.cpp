@@ -290,8 +290,7 @@ std::vector<double> readPixelNumbers(const std::string& option, const std::strin
 }
 
 CLI::Option* addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
-  return addValue(app, "--model", "FILE", model, readFileName,
-                  help + "; a file, JSON or a pose");
+  return addValue(app, "--model", "FILE", model, readFileName, help + "; a file, JSON or a pose");
 }
 
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {

@@ -81,7 +81,8 @@ Action declareFit(CLI::App& app) {
   app.description(
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
-      "view changes. Of an orthographic camera width, height, near and far are made to fit, but for those that options give; "
+      "view changes. Of an orthographic camera width, height, near and far are made to fit, but for those that options "
+      "give; "
       "with --by size it stays. Writes a camera file.");
   app.footer(
       "Examples:\n"
@@ -91,7 +92,8 @@ Action declareFit(CLI::App& app) {
       "    --target 0,0,0 --fov-y 60 --viewport 640x480 --margin 10%");
   o->stream.addPoints(app);
   addScene(app, o->scene, "Shapes to fit");
-  static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}, {"size", Means::size}};
+  static constexpr std::pair<std::string_view, Means> kMeans[] = {
+      {"place", Means::place}, {"fov", Means::lens}, {"size", Means::size}};
   addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
   addValue(app, "--margin", "SHARE", o->margin, readMargin,
            "Share of the picture to leave free on each side, as in 0.05 or 5% (default: 0.05)");

@@ -193,7 +193,8 @@ Document Fitting::box(bool movesEye) const {
   const Vec3 eye = camera_.pose().eye();
   double x = (seen_.left + seen_.right) / 2, y = (seen_.bottom + seen_.top) / 2;
   const double spare = keepsSize ? 0 : rounding(share) + (movesEye ? 0x1p-51 * size(eye) : 0);
-  const double toSide = (full.right - full.left) * share / 2 + spare, toTop = (full.top - full.bottom) * share / 2 + spare;
+  const double toSide = (full.right - full.left) * share / 2 + spare,
+               toTop = (full.top - full.bottom) * share / 2 + spare;
   const double deep = 0x1p-48 * (std::fabs(nearest_) + std::fabs(farthest_) + size(eye));
   const double least = farthest_ > nearest_ ? deep : deep + toTop;  // of a flat thing
   CameraFile there = file_;

@@ -332,9 +332,8 @@ Action declareRay(CLI::App& app) {
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());
   };
-  addValue(
-      app, "--fields", "NAMES", o->fields, readFields,
-      withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+  addValue(app, "--fields", "NAMES", o->fields, readFields,
+           withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
   addPrecision(app, o->precision);
   addModel(app, o->model, "Results in its coordinates");
   o->camera.add(app);

@@ -322,7 +322,8 @@ class Points {
     std::string name = isBinary ? cameraNameAt(record, field) : std::string(record.values[field]);
     if (schema_.size == 0) {
       const bool hasName = !record.schema->isArray && record.schema->hasHeader;
-      schema_ = {isBinary ? Form::text : record.schema->form, false, 1, {hasName ? record.schema->names[field] : "point"}};
+      schema_ = {
+          isBinary ? Form::text : record.schema->form, false, 1, {hasName ? record.schema->names[field] : "point"}};
       schema_.separator = record.schema->separator;
     }
     if (isSorted_ && !names_.empty() && *names_.front() != name) flush();

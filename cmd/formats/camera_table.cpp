@@ -24,7 +24,8 @@ constexpr std::string_view kNameColumns = "name camera image file FileName label
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
-    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far viewport.width "
+    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far "
+    "viewport.width "
     "viewport.height "
     "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
 
@@ -76,7 +77,8 @@ std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name != "rpy")
-    (order ? *order : *yaw).fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
+    (order ? *order : *yaw)
+        .fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
   return {{name, kRpy}};
 }
 
