@@ -307,7 +307,7 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
-      "hit with a scene; null where the lens sees nothing.");
+      "hit with a scene; null outside a lens.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
@@ -333,7 +333,7 @@ Action declareRay(CLI::App& app) {
     return chooseSeveral(option, text, fieldNames());
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields,
-           withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+           withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
   addPrecision(app, o->precision);
   addModel(app, o->model, "Results in its coordinates");
   o->camera.add(app);
