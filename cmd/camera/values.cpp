@@ -319,7 +319,8 @@ Position readPosition(const Node& value) {
   const Angle lat = readAngle(value.require("lat"), -90, 90, "from -90 to 90 degrees");
   const Angle lon = readAngle(value.require("lon"), -360, 360, "from -360 to 360 degrees");
   const auto altitude = value.find("altitude");
-  if (altitude && value.find("height")) altitude->fail("is the height above sea level; keep one of height and altitude");
+  if (altitude && value.find("height"))
+    altitude->fail("is the height above sea level; keep one of height and altitude");
   if (altitude && !hasGeoid()) altitude->fail(kNeedsGeoid);
   Geodetic place{degreesOf(lat), degreesOf(lon), (altitude ? *altitude : value.require("height")).number()};
   if (altitude) place.height += seaLevelAt(place.lat, place.lon);

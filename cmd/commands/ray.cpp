@@ -305,7 +305,7 @@ Action declareRay(CLI::App& app) {
   describe(
       app,
       "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
-      "hit with a scene; null where the lens sees nothing.",
+      "hit with a scene; null outside a lens.",
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --pixel 640,360 --to table\n"
@@ -331,7 +331,7 @@ Action declareRay(CLI::App& app) {
     return chooseSeveral(option, text, fieldNames());
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields,
-           withNames("Results, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
+           withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
   addModel(app, o->model, "Results in its coordinates");
   o->camera.add(app);
   o->cameras.add(app, false);

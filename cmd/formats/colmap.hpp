@@ -47,8 +47,8 @@ Import openColmap(const Node& root);
 
 /// Calls take with each pixel of an image that has a point in space: the number of the image in the list of
 /// readColmap(), the point's number, the point and the pixel. Throws InputError.
-void eachColmapPixel(const std::string& source,
-                     const std::function<void(std::size_t image, std::int64_t number, const Vec3& point,
-                                              const Vec2& pixel)>& take);
+void eachColmapPixel(
+    const std::string& source,
+    const std::function<void(std::size_t image, std::int64_t number, const Vec3& point, const Vec2& pixel)>& take);
 
 }  // namespace viewproj::cmd

@@ -299,9 +299,9 @@ std::optional<std::string> colmapModel(const std::string& source) {
 
 Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }
 
-void eachColmapPixel(const std::string& source,
-                     const std::function<void(std::size_t image, std::int64_t number, const Vec3& point,
-                                              const Vec2& pixel)>& take) {
+void eachColmapPixel(
+    const std::string& source,
+    const std::function<void(std::size_t image, std::int64_t number, const Vec3& point, const Vec2& pixel)>& take) {
   const Model model = filesOf(source);
   if (model.images.empty()) throw InputError(visible(source) + ": has no images");
   const auto points = readPoints(model.points);

@@ -68,7 +68,10 @@ std::string eachObservation(const std::string& source, const std::function<void(
     pixels->fail("expected a pixel of each of " + std::to_string(points.size()) + " points in " +
                  std::to_string(count) + " views, got " + std::to_string(numbers.size()) + " numbers");
   for (std::size_t i = 0; i < each * count; ++i)
-    take({i / each, static_cast<std::int64_t>(i % each), points[points.size() == each ? i % each : i], {numbers[2 * i], numbers[2 * i + 1]}});
+    take({i / each,
+          static_cast<std::int64_t>(i % each),
+          points[points.size() == each ? i % each : i],
+          {numbers[2 * i], numbers[2 * i + 1]}});
   return note;
 }
 

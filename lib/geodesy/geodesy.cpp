@@ -86,10 +86,11 @@ struct Geoid::Grid {
 Geoid::Geoid(const std::string& file) {
   const std::string ending = ".pgm";
   if (!file.ends_with(ending)) throw CameraError("geoid", "the name of a file ends in .pgm");
-  const std::size_t slash = file.find_last_of("/\\") + 1;
+  const std::size_t slash = file.find_last_of("/\\");
+  const std::string folder = slash == std::string::npos ? "." : file.substr(0, slash + 1);
+  const std::string name = file.substr(slash + 1);
   try {
-    grid_ = std::make_shared<Grid>(file.substr(slash, file.size() - ending.size() - slash),
-                                   slash > 0 ? file.substr(0, slash) : "./");
+    grid_ = std::make_shared<Grid>(name.substr(0, name.size() - ending.size()), folder);
   } catch (const std::exception& e) {
     throw CameraError("geoid", e.what());
   }

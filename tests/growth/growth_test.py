@@ -62,6 +62,15 @@ THREE = '{"type":"PerspectiveCamera","name":"c%%d","fov":50,"zoom":1,"near":0.1,
 SPHERE = '{"id":"s%d","sphere":{"center":[1,1,1],"radius":2}}'
 PLAIN = b"1.5 2.25 -3"
 
+RIG = ('{"cameras":[{},{"position":[1,0,0]}],"position":[0,0,0],"direction":[0,0,-1],"projection":{"type":"perspective","fovY":60},'
+       '"viewport":{"width":640,"height":480}}')
+MEET = ["triangulate", "-c", RIG, "--camera-by", "camera", "--by", "point"]
+
+
+def seen_twice(n):
+    return b"".join(b'{"point":%d,"camera":%d,"pixel":[%d,200]}\n' % (i // 2, i % 2, 400 - 70 * (i % 2)) for i in range(2 * n))
+
+
 # name, size, arguments, standard input of n, file of n, what memory is to the input: flat or linear, and status
 ROWS = [
     ("read json: lines", 300, PROJECT, lines(POINT)),
@@ -74,6 +83,8 @@ ROWS = [
     ("read f64", 20000, [*PROJECT, "--from", "f64"], lambda n: struct.pack("<3d", 1.5, 2.25, -3) * n),
     ("read pixels", 300, ["ray", "-c", CAMERA, "--jobs", "1"], lines(b"[640,360]")),
     ("read shapes", 300, ["cull", "-c", CAMERA, "--jobs", "1"], lines(b'{"sphere":{"center":[1,1,1],"radius":0.5}}')),
+    ("read sightings: sorted", 300, [*MEET, "--sorted"], seen_twice),
+    ("read sightings", 300, MEET, seen_twice, None, "linear"),
     *((f"write {to}", 1200 if to == "table" else 300, [*PROJECT, "--to", to], lines(POINT))
       for to in ("ndjson", "json", "csv", "text", "f64", "table")),
     ("keep going: no JSON", 1000, [*PROJECT, "--keep-going"], lines(b'{"x":}', POINT + b"\n"), None, "flat", 1),
