@@ -202,7 +202,8 @@ class Finder {
           look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
       found_.back()->isOrdered = value.is_object();
     }
-    if (found_.size() == before && n.size() > 2 && noise == 0) add("?", steps, n, 0);
+    // Items of a list may be thousands of points.
+    if (found_.size() == before && n.size() > 2 && noise == 0 && !isDigits(steps.back())) add("?", steps, n, 0);
   }
 
   /// The name that says what a value is: of an item of a list the list's, of "coefficients" the one above.

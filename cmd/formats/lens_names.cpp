@@ -19,7 +19,7 @@ constexpr LensNames kLenses[] = {
     {"brown",
      "plumb_bob rational_polynomial radtan radtan8 pinhole_radtan8 radial_tangential radialtangential brown "
      "brown_conrady opencv full_opencv radial simple_radial perspective rectilinear opencv4 opencv5 opencv8 "
-     "pinhole_full",
+     "pinhole_full standard rational thin_prism tilted",
      "k1 k2 p1 p2 k3 k4 k5 k6", "1 2 4 5 8 12 14"},
     {"fisheye",
      "fisheye equidistant equi kannala_brandt kannala_brandt4 kannala_brandt8 kannalabrandt8 kb4 kb8 opencv_fisheye "

@@ -62,7 +62,7 @@ Place placeOf(const Node& root, bool areAlone) {
 
 Import open(const Node& root) {
   PosesOfFile file = posesOf(root);
-  if (file.poses.cameras.size() == 1)
+  if (file.poses.cameras.size() < 2)
     root.fail(
         "is a pose and has no lens; give it to --world-from-camera or --camera-from-world, beside a lens from -c or "
         "options");

@@ -210,8 +210,8 @@ TEST_CASE("a member that is renamed, deleted or added changes the camera, is nam
     // Lists of numbers, a pose, a part of a lens and a crop, beside the first member that is read.
     Json& beside = root.is_array() ? root.front() : root;
     for (const auto& [key, value] : {std::pair{"levels", Json{1.5, 2.5, 3.5}},
-                                     {"sensor_pose", Json{0.5, 0.5, 0.5, 0.5, 1, 2, 3}},
-                                     {"extraSkew", Json(0.5)},
+                                     {"sensor_pose", Json{0.5, 0.5, 0.5, 0.5, 4, 5, 6}},
+                                     {"extraSkew", Json(0.37)},
                                      {"crop", Json{1, 2, 30, 40}}}) {
       INFO(sample.text);
       INFO(key);
