@@ -363,9 +363,9 @@ Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   app.description(
       "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
-      "them. Of matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in "
-      "degrees, edges are x/z and y/z (lengths in orthographic), all without distortion.");
+      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table. "
+      "Of matrices, as pasted from code or logs, what each can be, the likeliest first. Angles are in degrees, "
+      "edges x/z and y/z (lengths in orthographic), all without distortion.");
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
