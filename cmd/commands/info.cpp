@@ -351,17 +351,15 @@ int runInfo(const InfoOptions& o) {
 
 Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
-  describe(
-      app,
-      "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
-      "them. Of matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in "
-      "degrees, window edges x/z and y/z (lengths in orthographic). Distortion changes none of them, nor "
-      "planes and corners.",
-      "Examples:\n"
-      "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
-      "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
-      "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
+  describe(app,
+           "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
+           "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table. "
+           "Of matrices, as pasted from code or logs, what each can be, the likeliest first. Angles are in degrees, "
+           "edges x/z and y/z (lengths in orthographic), all without distortion.",
+           "Examples:\n"
+           "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
+           "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
+           "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
   addValue(app, "--height", "H", o->height,
