@@ -245,7 +245,7 @@ Action declareFootprint(CLI::App& app) {
   const auto aboveZero = [](double number) { return number > 0 && std::isfinite(number); };
   CLI::Option* const height =
       addValue(app, "--height", "H", o->height,
-               numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
+               numberThat([](double number) { return std::isfinite(number); }, "a height in metres, or a z"),
                "The ground: the Earth's surface of this height, or z = H");
   CLI::Option* const plane =
       addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0");
