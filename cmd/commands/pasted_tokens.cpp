@@ -1,61 +1,45 @@
 // Plain text to tokens: numbers, brackets, names and indices; what is none of them is a word, or nothing.
 #include <algorithm>
 #include <limits>
-#include <regex>
 
 #include "commands/pasted_parts.hpp"
 
 namespace viewproj::cmd::pasted {
 namespace {
 
-constexpr auto kIgnoreCase = std::regex::ECMAScript | std::regex::icase;
+constexpr std::string_view kUnionNames = "rgbastpq";
 
-/// What is matched at one place, and looks no further than a line or so.
-struct Patterns {
-  std::regex bracketIndex{
-      R"(\[[ \t]*(?:\d*[ \t]*,?|,[ \t]*\d+)[ \t]*\]|\[[ \t]*\d+[ \t]*,[ \t]*\d+[ \t]*\](?=[ \t]*[:=]))"};
-  /// m00, _11, row1, x, x_axis, 0: what may stand in front of an entry or a row.
-  std::regex indexName{R"((?:row|column|col|line|[rcmMeaEA_])_?\d[\d_,]*|[xyzwoXYZWO]|[xyzw]_?axis|\d+)"};
-  /// A second name of x, y, z, w in a union.
-  std::regex unionName{"[rgbastpq]"};
-  std::regex type{R"((?:system\.)?(?:const|new|float|double|half|single|u?int|(?:float|f)(?:32|64))|)"
-                  R"(d?(?:vec|mat|float|double)\d(?:x\d)?)",
-                  kIgnoreCase};
-  std::regex tag{R"(<(/?)([A-Za-z!?][\w:.-]*)[^<>()\[\]{}\n]*>)"};
-  /// Tags that only lay a page out.
-  std::regex html{"br|p|t[drh]|li|span|b|i|code|pre|div|em|font|mn|mt[dr]|su[bp]", kIgnoreCase};
-  std::regex repeats{R"(<repeats (\d{1,9}) times>)"};
-  /// A cell of CSV with three numbers or more, up to its closing quote.
-  std::regex cell{R"("[-+eE,; \t]*(?:[\d.]+[-+eE,; \t]+){2,}[\d.]+[-+eE,; \t]*(?="))"};
-  std::regex notFinite{R"([-+]?(?:nan(?:\([^)\n]*\))?|inf(?:inity)?|1\.#(?:inf|[qs]nan|ind)0*)(?![\w.]))", kIgnoreCase};
-  std::regex address{"0[xX][0-9a-fA-F]*"};
-  std::regex suffix{R"((?:_?f(?:32|64)|[fFlLhHd])(?!\w))"};
-  std::regex factor{R"([ \t]*\*(?=[ \t]*[\n\[]))"};
-  std::regex whole{R"(\.?\d+)"};
-  /// Behind 3 of 3: 1.5, but not of a time of day.
-  std::regex entryMark{R"((?!:\d\d(?![\d.]))['"]?[ \t]*[:=](?![:=]))"};
-  /// Behind the beginning of a word or an expression: 1200x800, 50%, 09:12, 2 * x, 1 - 2.
-  std::regex noNumber{R"([\w.%/^+*-]|:\d\d|[ \t]*[*/^]|[ \t]+[-+][ \t])"};
-  std::regex restOfWord{R"([^ \t\n\v\f,;|()\[\]{}<>"']+)"};
-  std::regex latexWord{"frac|times|cdot|sqrt|sin|cos|tan|pm"};
-  std::regex templated{R"( ?<[\w \t,:*]*>)"};             // of vec4<f32>
-  std::regex sized{R"(\(\d+\)(?=[ \t]*(?:[\[{\n]|$)))"};  // of Array(16) [
-  std::regex rowName{"row|col|column|line", kIgnoreCase};
-  std::regex rowNumber{R"([ \t]*\d+(?=[ \t:]))"};
-  std::regex columns{"columns?", kIgnoreCase};
-  std::regex number{R"([ \t]*\d)"};
-  /// Of name =, name[2] =, "name": and name :=
-  std::regex assignment{R"(((?:\[[ \t]*\d*[ \t]*,?[ \t]*\d*[ \t]*\][ \t]*)*)['"]?[ \t]*(:=|:|=)(?![:=]))"};
-  std::regex valueBehind{R"([ \t]*[^ \t({\[\n])"};
-  std::regex entryBehind{R"([ \t]+[-|+.\d(\[{]|,?[ \t]*")"};
-  /// |---|---| and +---+---+
-  std::regex tableRule{R"([-:= \t]*[|+][-|+:= \t]*(?=\n|$))"};
-  std::regex lineEnd{R"([ \t]*(?=\n|$))"};
-};
+/// m00, M[1], _11, row1, x, x_axis, 0: what may stand in front of an entry or a row.
+bool isIndex(std::string_view w) {
+  if (w.size() == 1 && isAmong(w[0], "xyzwoXYZWO")) return true;
+  if (!w.empty() && isAmong(w[0], "xyzw") && isOneOf(w.substr(1), {"axis", "_axis"})) return true;
+  std::size_t at = 0;
+  for (const std::string_view front : {"row", "column", "col", "line", "r", "c", "m", "M", "e", "a", "E", "A", "_"})
+    if (at == 0 && w.starts_with(front)) at = front.size();
+  if (at > 0 && at < w.size() && w[at] == '_') ++at;
+  return at < w.size() && isDigit(w[at]) && w.find_first_not_of(at > 0 ? "0123456789_," : "0123456789", at) == kNone;
+}
 
-const Patterns& patterns() {
-  static const Patterns all;
-  return all;
+/// The types of numbers and matrices of many languages.
+bool isType(std::string_view word) {
+  const std::string w = lower(word.starts_with("System.") ? word.substr(7) : word);
+  if (isOneOf(w,
+              {"const", "new", "float", "double", "half", "single", "int", "uint", "float32", "float64", "f32", "f64"}))
+    return true;
+  std::string_view size = w.starts_with('d') && !w.starts_with("double") ? std::string_view(w).substr(1) : w;
+  for (const std::string_view front : {"vec", "mat", "float", "double"})
+    if (size.starts_with(front)) {
+      size.remove_prefix(front.size());
+      return !size.empty() && isDigit(size[0]) &&
+             (size.size() == 1 || (size.size() == 3 && size[1] == 'x' && isDigit(size[2])));
+    }
+  return false;
+}
+
+/// Tags that only lay a page out.
+bool isHtml(std::string_view name) {
+  return isOneOf(lower(name), {"br", "p", "td", "tr", "th", "li", "span", "b", "i", "code", "pre", "div", "em", "font",
+                               "mn", "mtd", "mtr", "sub", "sup"});
 }
 
 double valueOf(std::string_view digits) {
@@ -73,16 +57,16 @@ class Scanner {
     bool isLineStart = true;  // but for blanks, prompts and bullets
     while (at_ < t_.size()) {
       const char c = t_[at_];
+      const bool isDots = follows("...");
       if (c == '\n') {
         ++line_;
         ++at_;
         isLineStart = true;
-        if (const std::size_t end = after(k_.tableRule, at_); end != kNone && take(end).find("--") != kNone)
-          emit(Kind::tableRule);
+        skipTableRule();
       } else if (isLineStart && (isAmong(c, "*>") || (isAmong(c, "+-") && isSpaceOrEnd(at_ + 1)))) {
         ++at_;
-      } else if (t_.substr(at_, 3) == "...") {  // a prompt at the start of a line, a continuation at its end
-        if (isLineStart == (after(k_.lineEnd, at_ + 3) != kNone)) emit(Kind::elided);
+      } else if (isDots) {  // a prompt at the start of a line, a continuation at its end
+        if (isLineStart == lineEndsAt(at_ + 3)) emit(Kind::elided);
         at_ += 3;
       } else if (isAmong(c, " \t")) {
         ++at_;
@@ -96,23 +80,17 @@ class Scanner {
 
  private:
   char at(std::size_t i) const { return i < t_.size() ? t_[i] : '\0'; }
+  bool follows(std::string_view word) const { return t_.substr(at_, word.size()) == word; }
   bool isSpaceOrEnd(std::size_t i) const { return i >= t_.size() || isSpace(t_[i]); }
-
-  /// Where a pattern ends that begins at `begin`; kNone if none does. found_ has its parts.
-  std::size_t after(const std::regex& pattern, std::size_t begin) {
-    constexpr std::size_t kWindow = 2000;  // std::regex needs stack for each character
-    const std::string_view window = t_.substr(std::min(begin, t_.size()), kWindow);
-    const char* const first = window.data();
-    const bool fits =
-        std::regex_search(first, first + window.size(), found_, pattern, std::regex_constants::match_continuous);
-    return fits ? begin + static_cast<std::size_t>(found_.length()) : kNone;
+  std::size_t afterBlanks(std::size_t i) const {
+    while (isAmong(at(i), " \t")) ++i;
+    return i;
   }
-  static bool is(std::string_view word, const std::regex& pattern) {
-    constexpr std::size_t kLongest = 40;
-    return word.size() < kLongest && std::regex_match(word.begin(), word.end(), pattern);
+  std::size_t afterDigits(std::size_t i) const {
+    while (isDigit(at(i))) ++i;
+    return i;
   }
-  std::string_view part(std::size_t i) const { return {found_[i].first, static_cast<std::size_t>(found_[i].length())}; }
-
+  bool lineEndsAt(std::size_t i) const { return isAmong(at(afterBlanks(i)), "\n") || afterBlanks(i) >= t_.size(); }
   void emit(Kind kind, std::string_view text = {}, std::string_view label = {}, double value = 0) {
     out_.push_back({kind, line_, text, label, value});
   }
@@ -122,14 +100,33 @@ class Scanner {
     return taken;
   }
 
+  /// |---|---| and +---+---+, of a whole line.
+  void skipTableRule() {
+    const std::size_t end = std::min(t_.find_first_not_of("|+-:= \t", at_), t_.size());
+    const std::string_view rule = t_.substr(at_, end - at_);
+    if (!isSpaceOrEnd(end) || rule.find_first_of("|+") == kNone || rule.find("--") == kNone) return;
+    emit(Kind::tableRule);
+    at_ = end;
+  }
+
+  /// The end of [3], [1,], [,0] or [], and of [1,2] in front of = or :; kNone for any other bracket.
+  std::size_t indexEnd(std::size_t i) const {
+    if (at(i) != '[') return kNone;
+    const std::size_t first = afterBlanks(i + 1), firstEnd = afterBlanks(afterDigits(first));
+    const std::size_t second = at(firstEnd) == ',' ? afterBlanks(firstEnd + 1) : firstEnd;
+    const std::size_t end = afterBlanks(afterDigits(second));
+    if (at(end) != ']') return kNone;
+    const bool isPair = isDigit(at(first)) && at(firstEnd) == ',' && isDigit(at(second));
+    return isPair && !isAmong(at(afterBlanks(end + 1)), "=:") ? kNone : end + 1;
+  }
+
   void step(char c) {
     if (c == '"') quote();
     if (c == '<' && tag()) return;
-    std::size_t end = kNone;
-    if (c == '[' && (end = after(k_.bracketIndex, at_)) != kNone) {
-      emit(Kind::index, take(end));
-    } else if (isAmong(c, "-+nNiI1") && (end = after(k_.notFinite, at_)) != kNone) {
-      emit(Kind::number, take(end), {}, std::numeric_limits<double>::quiet_NaN());
+    if (const std::size_t bracket = indexEnd(at_); bracket != kNone) {
+      emit(Kind::index, take(bracket));
+    } else if (const std::size_t notFinite = notFiniteEnd(); notFinite != kNone) {
+      emit(Kind::number, take(notFinite), {}, std::numeric_limits<double>::quiet_NaN());
     } else if (numberEnd(t_, at_) != kNone) {
       number();
     } else if (isNameStart(c)) {
@@ -143,67 +140,110 @@ class Scanner {
     }
   }
 
+  /// A cell of CSV with three numbers or more is a bracket.
   void quote() {
     if (at_ == closing_) return emit(Kind::close);
-    const std::size_t end = after(k_.cell, at_);
-    if (end == kNone) return;
+    const std::size_t end = std::min(t_.find_first_not_of("-+0123456789.eE,; \t", at_ + 1), t_.size());
+    const auto isNumber = [&](std::size_t i) { return isDigit(t_[i]) || t_[i] == '.'; };
+    std::size_t count = 0;
+    for (std::size_t i = at_ + 1; i < end; ++i) count += isNumber(i) && !isNumber(i - 1) ? 1 : 0;
+    if (at(end) != '"' || count < 3) return;
     emit(Kind::open);
     closing_ = end;
   }
 
   bool tag() {
-    if (const std::size_t end = after(k_.repeats, at_); end != kNone) {
-      emit(Kind::repeat, {}, {}, valueOf(part(1)));
-      at_ = end;
-      return true;
+    constexpr std::string_view kRepeats = "<repeats ";
+    if (follows(kRepeats)) {
+      const std::size_t digits = at_ + kRepeats.size(), end = afterDigits(digits);
+      if (t_.substr(end, 7) == " times>" && end > digits) {
+        emit(Kind::repeat, {}, {}, valueOf(t_.substr(digits, end - digits)));
+        at_ = end + 7;
+        return true;
+      }
     }
-    const std::size_t end = after(k_.tag, at_);
-    if (end == kNone) return false;
-    const std::string_view name = part(2);
-    const bool isEnd = !part(1).empty(), isOpening = !isAmong(t_[end - 2], "/?");
-    at_ = end;
-    if (is(name, k_.html)) return true;
-    if (isEnd) {
-      emit(Kind::close);
-      emit(Kind::word);
-    } else {
-      key(name);
-      if (isOpening) emit(Kind::open);
+    const bool isEnd = at(at_ + 1) == '/';
+    const std::size_t begin = at_ + (isEnd ? 2 : 1);
+    if (!isLetter(at(begin)) && !isAmong(at(begin), "!?")) return false;
+    const std::size_t close = t_.find_first_of("<>()[]{}\n", begin);
+    if (at(close) != '>') return false;
+    std::size_t nameEnd = begin + 1;
+    while (isNamePart(at(nameEnd)) || isAmong(at(nameEnd), ":.-")) ++nameEnd;
+    const std::string_view name = t_.substr(begin, nameEnd - begin);
+    if (!isHtml(name)) {
+      if (isEnd) {
+        emit(Kind::close);
+        emit(Kind::word);
+      } else {
+        key(name);
+        if (!isAmong(t_[close - 1], "/?")) emit(Kind::open);
+      }
     }
+    at_ = close + 1;
     return true;
   }
 
+  /// nan, inf, 1.#INF
+  std::size_t notFiniteEnd() const {
+    const std::size_t begin = at_ + (isAmong(t_[at_], "+-") ? 1 : 0);
+    if (!isAmong(at(begin), "nNiI1")) return kNone;
+    const std::string next = lower(t_.substr(begin, 12));
+    for (const std::string_view word : {"nan", "infinity", "inf", "1.#inf", "1.#qnan", "1.#snan", "1.#ind"}) {
+      if (!next.starts_with(word)) continue;
+      std::size_t end = begin + word.size();
+      if (word == "nan" && at(end) == '(') end = std::min(t_.find_first_of(")\n", end), t_.size() - 1) + 1;
+      while (word[0] == '1' && at(end) == '0') ++end;
+      if (!isNamePart(at(end)) && at(end) != '.') return end;
+    }
+    return kNone;
+  }
+
   void number() {
-    if (const std::size_t end = after(k_.address, at_); end != kNone && end > at_) {
-      if (!out_.empty() && out_.back().kind == Kind::key) out_.back().kind = Kind::word;  // it names no numbers
-      at_ = end;
+    if (at(at_) == '0' && isAmong(at(at_ + 1), "xX")) {  // an address, and what is in front of it names no numbers
+      if (!out_.empty() && out_.back().kind == Kind::key) out_.back().kind = Kind::word;
+      at_ = std::min(t_.find_first_not_of("0123456789abcdefABCDEF", at_ + 2), t_.size());
       return;
     }
-    const std::size_t digitsEnd = numberEnd(t_, at_), suffixEnd = after(k_.suffix, digitsEnd);
-    const std::size_t end = suffixEnd == kNone ? digitsEnd : suffixEnd;
+    const std::size_t digitsEnd = numberEnd(t_, at_), end = suffixEnd(digitsEnd), after = afterBlanks(end);
     const std::string_view digits = t_.substr(at_, digitsEnd - at_);
-    if (const std::size_t factorEnd = after(k_.factor, end); factorEnd != kNone && end == digitsEnd) {
+    const char next = at(end), second = at(after);
+    if (end == digitsEnd && second == '*' && isAmong(at(afterBlanks(after + 1)), "\n[")) {
       emit(Kind::factor, digits, {}, valueOf(digits));
-      at_ = factorEnd;
-    } else if (end == digitsEnd && is(digits, k_.whole) && after(k_.entryMark, end) != kNone) {
-      emit(Kind::index, take(end));
-    } else if (isNamePart(at(end)) || after(k_.noNumber, end) != kNone) {
-      at_ = after(k_.restOfWord, at_);
-      emit(Kind::word);
-    } else {
-      emit(Kind::number, digits, {}, valueOf(digits));
-      at_ = end;
+      at_ = after + 1;
+      return;
     }
+    const bool isTime = next == ':' && isDigit(at(end + 1)) && isDigit(at(end + 2));
+    const bool isLongTime = isTime && !isDigit(at(end + 3)) && at(end + 3) != '.';
+    const std::size_t mark = afterBlanks(end + (isAmong(next, "'\"") ? 1 : 0));
+    const bool isWhole = end == digitsEnd && digits.find_first_not_of("0123456789", digits[0] == '.' ? 1 : 0) == kNone;
+    if (isWhole && isAmong(at(mark), ":=") && !isAmong(at(mark + 1), ":=") && !isLongTime)  // 0: 1.5
+      return emit(Kind::index, take(end));
+    if (isNamePart(next) || isAmong(next, ".%/^+*-") || isTime || isAmong(second, "*/^") ||
+        (after > end && isAmong(second, "+-") && isAmong(at(after + 1), " \t"))) {
+      at_ = std::min(t_.find_first_of(" \t\n\v\f,;|()[]{}<>\"'", at_), t_.size());
+      return emit(Kind::word);
+    }
+    emit(Kind::number, digits, {}, valueOf(digits));
+    at_ = end;
+  }
+
+  /// Past f, F, h, l, d, _f32, f32 and f64.
+  std::size_t suffixEnd(std::size_t i) const {
+    const std::size_t letter = i + (at(i) == '_' ? 1 : 0);
+    const bool isSized = at(letter) == 'f' && isOneOf(t_.substr(letter + 1, 2), {"32", "64"});
+    const std::size_t end = isSized ? letter + 3 : isAmong(at(i), "fFlLhHd") ? i + 1 : i;
+    return isNamePart(at(end)) ? i : end;
   }
 
   static std::string_view lastPart(std::string_view name) { return name.substr(name.rfind('.') + 1); }
+  static bool isUnionName(std::string_view name) { return name.size() == 1 && isAmong(name[0], kUnionNames); }
 
   void key(std::string_view name) {
     const std::string_view last = lastPart(name);
-    if (is(last, k_.indexName))
+    if (isIndex(last))
       emit(Kind::index, last, name.substr(0, name.size() - last.size() - (last.size() < name.size() ? 1 : 0)));
     else
-      emit(is(last, k_.unionName) ? Kind::alias : Kind::key, name);
+      emit(isUnionName(last) ? Kind::alias : Kind::key, name);
   }
 
   /// "World to Camera Transform:": of a line that has but words up to a colon the last four.
@@ -223,51 +263,65 @@ class Scanner {
 
   void word() {
     const std::size_t begin = at_;
+    const bool isLatex = begin > 0 && t_[begin - 1] == '\\';
     const auto goesOn = [&](std::size_t i) { return isNamePart(at(i)) || at(i) == '.'; };
-    const auto isScope = [&] { return at(at_) == ':' && at(at_ + 1) == ':' && goesOn(at_ + 2); };
-    while (goesOn(at_) || isScope()) at_ += isScope() ? 2 : 1;
+    while (goesOn(at_) || (follows("::") && goesOn(at_ + 2))) at_ += follows("::") ? 2 : 1;
     const std::string_view w = t_.substr(begin, at_ - begin), last = lastPart(w);
-    if (begin > 0 && t_[begin - 1] == '\\') {
-      if (after(k_.latexWord, begin) != kNone) emit(Kind::word);
+    if (isLatex) {
+      for (const std::string_view operation : {"frac", "times", "cdot", "sqrt", "sin", "cos", "tan", "pm"})
+        if (w.starts_with(operation)) return emit(Kind::word);
       return;
     }
-    std::size_t end = kNone;
-    if ((end = after(k_.templated, at_)) != kNone) at_ = end;
-    if ((end = after(k_.sized, at_)) != kNone) {
-      at_ = end;
-    } else if (isAmong(at(at_), "([{") && after(k_.bracketIndex, at_) == kNone) {
-      emit(Kind::callee, w);
-    } else if (assignment(begin, w)) {
+    skipTemplate();
+    if (const std::size_t end = afterDigits(at_ + 1);
+        at(at_) == '(' && end > at_ + 1 && at(end) == ')' &&
+        (lineEndsAt(end + 1) || isAmong(at(afterBlanks(end + 1)), "[{"))) {
+      at_ = end + 1;  // Array(16) [
       return;
-    } else if (is(w, k_.rowName) && (end = after(k_.rowNumber, at_)) != kNone) {
-      at_ = end;
-      emit(Kind::index);
-    } else if (is(w, k_.columns) && after(k_.number, at_) != kNone) {
-      emit(Kind::key, kColumnsApart);
-    } else if (is(last, k_.indexName) && w.size() > 1 && after(k_.entryBehind, at_) != kNone) {
-      key(w);
-    } else if (!is(w, k_.type)) {
-      emit(Kind::word);
     }
+    if (isAmong(at(at_), "([{") && indexEnd(at_) == kNone) return emit(Kind::callee, w);
+    if (assignment(begin, w)) return;
+    const std::string name = lower(w);
+    const std::size_t next = afterBlanks(at_), digits = afterDigits(next);
+    if (isOneOf(name, {"row", "col", "column", "line"}) && digits > next && isAmong(at(digits), " \t:")) {
+      at_ = digits;
+      return emit(Kind::index);
+    }
+    if (isOneOf(name, {"column", "columns"}) && digits > next) return emit(Kind::key, kColumnsApart);
+    const bool isBeforeEntry = (next > at_ && isAmong(at(next), "|-+.0123456789([{")) ||
+                               at(afterBlanks(at_ + (at(at_) == ',' ? 1 : 0))) == '"';
+    if (isIndex(last) && w.size() > 1 && isBeforeEntry) return key(w);
+    if (!isType(w)) emit(Kind::word);
+  }
+
+  /// vec4<f32>
+  void skipTemplate() {
+    std::size_t i = at_ + (at(at_) == ' ' ? 1 : 0);
+    if (at(i) != '<') return;
+    for (++i; isNamePart(at(i)) || isAmong(at(i), " \t,:*");) ++i;
+    if (at(i) == '>') at_ = i + 1;
   }
 
   /// name =, name[2] = and "name": of a word that has been read.
   bool assignment(std::size_t begin, std::string_view w) {
-    const std::size_t end = after(k_.assignment, at_), wordEnd = at_;
-    if (end == kNone) return false;
-    const std::string_view indices = part(1), sign = part(2), last = lastPart(w);
+    std::size_t end = at_;
+    for (std::size_t next = indexEnd(end); next != kNone; next = indexEnd(end)) end = afterBlanks(next);
+    const std::string_view indices = t_.substr(at_, end - at_), last = lastPart(w);
+    const std::size_t mark = afterBlanks(end + (isAmong(at(end), "'\"") ? 1 : 0));
+    const bool isShort = at(mark) == ':' && at(mark + 1) == '=', isColon = at(mark) == ':' && !isShort;
+    end = mark + (isShort ? 2 : 1);
+    if (!isAmong(at(mark), ":=") || isAmong(at(end), ":=")) return false;
+    const std::size_t wordEnd = at_;
     at_ = end;
-    if (!indices.empty() && after(k_.valueBehind, end) != kNone)
+    if (!indices.empty() && afterBlanks(end) < t_.size() && !isAmong(at(afterBlanks(end)), "({[\n"))
       emit(Kind::index, indices, w);
     else
-      key(sign == ":" && !is(last, k_.indexName) && !is(last, k_.unionName) ? phrase(begin, wordEnd) : w);
+      key(isColon && !isIndex(last) && !isUnionName(last) ? phrase(begin, wordEnd) : w);
     return true;
   }
 
-  const Patterns& k_ = patterns();
   std::string_view t_;
   std::size_t at_ = 0, line_ = 1, closing_ = kNone;
-  std::cmatch found_;
   std::vector<Token> out_;
 };
 
