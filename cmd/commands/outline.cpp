@@ -67,14 +67,20 @@ class Tracer {
     Outline out;
     out.center = see(screenToRay(camera_, rim_.center()));
     const std::vector<Ring> rings = this->rings();
-    double extent = 0;
+    double extent = 0, finest = 0;
     for (const Ring& ring : rings)
-      for (const OutlineVertex& v : trace(ring, HUGE_VAL).vertices)
+      for (const OutlineVertex& v : trace(ring, HUGE_VAL).vertices) {
         extent = std::max(extent, apart(v.point, ring[0].first.point));
+        finest = std::max(finest, roundingOf(v.point));
+      }
     out.error = error > 0 ? error : extent * kShare;
+    if (out.error < finest)
+      throw InputError("the ground is known to " + formatNumber(toDigits(finest, 2)) +
+                       " from there, and its outline is " + (error > 0 ? "asked" : "needed") + " within " +
+                       formatNumber(toDigits(out.error, 2)) + "; --error takes a larger distance");
     for (const Ring& ring : rings) {
       const bool isHole = hasHole_ && &ring == &rings.back();
-      const double area = trace(ring, extent * kAreaShare).area;
+      const double area = trace(ring, std::max(finest, extent * kAreaShare)).area;
       out.area += isHole ? -area : area;
       out.rings.push_back({trace(ring, out.error).vertices, area, isHole});
     }
@@ -87,6 +93,11 @@ class Tracer {
   }
 
  private:
+  /// How far a point of the ground may be off: by the direction of its ray and the last digits of its coordinates.
+  double roundingOf(const Vec3& point) const {
+    return 2 * kRayDirectionBound * apart(point, camera_.pose().eye()) + 8 * detail::halfUlp(detail::maxAbs(point));
+  }
+
   std::optional<Ground::Seen> see(const Ray& ray) {
     if (!std::isfinite(ray.direction.x)) return std::nullopt;
     const std::optional<Ground::Seen> seen = ground_.hit(ray);

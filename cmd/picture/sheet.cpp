@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "text/utf8.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -25,10 +27,21 @@ std::string dataOf(const std::vector<Vec2>& line, bool isClosed = false) {
   return data + (isClosed ? "Z" : "");
 }
 
+/// What XML has no place for, controls and U+FFFE, becomes U+FFFD.
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text)
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = at;
+    const char32_t code = nextCharacter(text, at);
+    const bool isXml =
+        code >= 0x20 ? code != 0xFFFE && code != 0xFFFF && code != kNoCharacter : code == '\t' || code == '\n';
+    out += !isXml        ? "\xEF\xBF\xBD"
+           : code == '&' ? "&amp;"
+           : code == '<' ? "&lt;"
+           : code == '>' ? "&gt;"
+           : code == '"' ? "&quot;"
+                         : std::string(text.substr(begin, at - begin));
+  }
   return out;
 }
 
