@@ -46,7 +46,8 @@ void readLens(const Node& intrinsic, Json& camera) {
       camera["projection"][focal] = camera["projection"][focal].get<double>() * scale;
     for (double& coefficient : k) coefficient /= scale;
   }
-  if (lens->model == "brown") k = {k[0], k[1], k.size() == 5 ? k[3] : 0, k.size() == 5 ? k[4] : 0, k[2]};
+  const bool isTangential = lens->count > 3;
+  if (lens->model == "brown") k = {k[0], k[1], isTangential ? k[3] : 0, isTangential ? k[4] : 0, k[2]};
   setLens(camera, *params, lens->model, k);
 }
 

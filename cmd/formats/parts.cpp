@@ -196,19 +196,19 @@ Json rigidOf(const Parts& parts, const std::string& pose, const std::string& tur
 std::string turnOf(const Parts& parts) {
   std::string turn;
   const auto add = [&](const std::string& name) {
-    if (!parts.has(name)) return;
+    if (!parts.has(name)) return false;
     if (!turn.empty())
       parts.fail(name, turn.find('.') != std::string::npos && name.starts_with(turn.substr(0, turn.find('.')))
                            ? "is the same thing as " + parts.node(turn).path() + "; leave one of them out"
                            : "the camera has another pose; leave one of them out");
     turn = name;
+    return true;
   };
   for (const std::string_view pose : wordsIn(kPoseParts)) {
     const std::string name(pose), translation = name + ".translation";
-    const std::string before = turn;
-    add(name);
-    for (const std::string_view form : wordsIn(kTurns)) add(name + "." + std::string(form));
-    if (turn != before || !parts.has(translation)) continue;
+    bool hasTurn = add(name);
+    for (const std::string_view form : wordsIn(kTurns)) hasTurn = add(name + "." + std::string(form)) || hasTurn;
+    if (hasTurn || !parts.has(translation)) continue;
     const auto& t = parts[translation].numbers;  // zeros say as little as no pose
     if (std::any_of(t.begin(), t.end(), [](double number) { return number != 0; }))
       parts.fail(translation, "needs R or rvec beside it");

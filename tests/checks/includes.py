@@ -11,7 +11,7 @@ FLOORS = (
     ("cmd/text",), ("cmd/camera",), ("cmd/formats",), ("cmd/records",), ("cmd/output",), ("cmd/stream",), ("cmd/picture",), ("cmd/commands",), ("cmd",),
 )
 PUBLIC = {
-    "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera", "lens": "lib/lens", "screen": "lib/projection",
+    "vectors": "lib/numbers", "shared": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera", "lens": "lib/lens", "screen": "lib/projection",
     "matrices": "lib/matrices", "cameras_of": "lib/cameras_of", "scene": "lib/scene", "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
