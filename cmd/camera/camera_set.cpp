@@ -1,6 +1,7 @@
 #include "camera/camera_set.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>

@@ -70,7 +70,7 @@ Json poseOf(const Node& camera, const std::optional<Node>& transform) {
   if (!transform) return rowsOf(pose, 4);
   const auto r = contentOf(*transform, "rotation"), t = contentOf(*transform, "translation");
   const double scale = numberOf(*transform, "scale", 1);
-  for (const std::size_t i : {3, 7, 11}) pose[i] *= scale;
+  for (const std::size_t i : {3u, 7u, 11u}) pose[i] *= scale;
   return Json::array({{{"rotation", rowsOf(r ? numbersOf(*r, 9) : std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}, 3)},
                        {"translation", t ? numbersOf(*t, 3) : std::vector<double>{0, 0, 0}}},
                       rowsOf(pose, 4)});

@@ -7,6 +7,7 @@
 #include "formats/writer.hpp"
 #include "numbers/vectors.hpp"
 #include "text/json_text.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {

@@ -420,7 +420,7 @@ TEST_CASE("Pixels in another order are given back to their points") {
   const Json document = documentOf(random, look);
   PairReport report(fileOf(document), 0.1);
   const std::vector<Vec3> points = pointsOf(random, cameraOf(document), 5);
-  for (const std::size_t i : {0, 1, 2, 3, 4}) {
+  for (std::size_t i = 0; i < 5; ++i) {
     const Vec3 &p = points[i], &other = points[i == 1 ? 3 : i == 3 ? 1 : i];
     const ScreenPoint at = worldToScreen(cameraOf(document), other);
     report.add({p.x, p.y, p.z, 1}, Vec2{at.x, at.y}, i + 1);

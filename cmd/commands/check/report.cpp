@@ -147,7 +147,9 @@ OrderedJson PairReport::explanations(const CheckedCamera& of) const {
     const std::vector<Hypothesis> rows = rowsOf(*camera->file);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Hypothesis& h = found[i].hypothesis;
-      const auto explains = [&](const Hypothesis& its) { return areWithin(missesOf(its, camera->pairs), within_); };
+      const auto explains = [&, &pairs = camera->pairs](const Hypothesis& its) {
+        return areWithin(missesOf(its, pairs), within_);
+      };
       const std::vector<Hypothesis> its = madeAnew(h, *of.file, *camera->file, rows);
       told[i].anew += std::any_of(its.begin(), its.end(), explains);
       const auto misses = missesWith(*camera->file, told[i].mend, h, camera->pairs);
