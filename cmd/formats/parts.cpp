@@ -84,7 +84,9 @@ Json projectionOfK(const Parts& parts) {
     const auto [fx, fy, cx, cy] = k.size() >= 9   ? intrinsicsOf(parts.node("K"), k)
                                   : k.size() == 4 ? std::array{k[0], k[1], k[2], k[3]}
                                                   : std::array{k[0], k[0], k[1], k[2]};
-    if (size && (cx > w || cy > h) && cx < h && cy < w && cx > 0 && cy > 0)
+    // An axis off the picture is right of a cropped one; in the middle of the picture lying down it is an exchange.
+    const auto isMiddle = [](double c, double extent) { return std::fabs(c - extent / 2) < extent / 8; };
+    if (size && (cx > w || cy > h) && isMiddle(cx, h) && isMiddle(cy, w))
       parts.fail("size", "is " + formatNumber(w) + "x" + formatNumber(h) + ", but cx, cy fit " + formatNumber(h) + "x" +
                              formatNumber(w));
     projection.update({{"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}});
@@ -136,8 +138,13 @@ void readNamedLens(const Parts& parts, Json& camera) {
 }
 
 void readLens(const Parts& parts, Json& camera) {
-  for (const auto& [part, model] : kLensParts)
-    if (parts.has(part)) setLens(camera, parts.node(part), model, parts.numbers(part, {}));
+  std::string_view first = parts.has("distortion") ? "distortion" : "";
+  for (const auto& [part, model] : kLensParts) {
+    if (!parts.has(part)) continue;
+    if (!first.empty()) parts.fail(part, std::string(first) + " is the lens too; leave one of them out");
+    first = part;
+    setLens(camera, parts.node(part), model, parts.numbers(part, {}));
+  }
   if (parts.has("distortion")) {
     const std::size_t count = parts["distortion"].numbers.size();
     if (count == 3 || count == 6)
@@ -243,6 +250,8 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
   const auto size = parts.size();
   Json camera{{"convention", "opencv"}, {"position", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}};
   if (parts.has("P")) {
+    for (const char* other : {"K", "fovX", "fovY", "position", "direction", "target", "up", "euler", "worldFromCamera"})
+      if (parts.has(other)) parts.fail(other, "P says it too; leave one of them out");
     std::vector<double> p = parts.numbers("P", {12, 16});
     p.resize(12);
     const bool isInFront = parts.has("cameraFromWorld");
