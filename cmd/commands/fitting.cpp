@@ -41,7 +41,7 @@ Fitting::Fitting(const CameraFile& camera, double margin)
   const auto cameraWithin = [&](double share) {
     const auto [left, right, bottom, top] = windowWithin(share);
     return makeCamera(*file_.pose,
-                      p.isOrthographic() ? orthographic(left, right, bottom, top, p.zNear(), p.zFar())
+                      p.isOrthographic() ? orthographic(left, right, bottom, top, -kLargestNumber, kLargestNumber)
                                          : perspectiveWindow(left, right, bottom, top, kSmallestNumber, kInfiniteFar),
                       *file_.viewport, file_.convention);
   };

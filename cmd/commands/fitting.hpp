@@ -51,10 +51,10 @@ class Fitting {
   CameraFile file_;
   Camera camera_;
   double margin_;
-  Camera open_;                                            ///< sees all in front of the eye, near and far or not
-  std::array<Side, 4> sides_;                              ///< left, right, bottom, top, the margin taken off
-  Side ahead_;                                             ///< straight ahead
-  double unit_ = 1;                                        ///< the camera's, along the view: 1 of a true rotation
+  Camera open_;                ///< sees all in front of the eye, orthographic behind it too, near and far or not
+  std::array<Side, 4> sides_;  ///< left, right, bottom, top, the margin taken off
+  Side ahead_;                 ///< straight ahead
+  double unit_ = 1;            ///< the camera's, along the view: 1 of a true rotation
   double nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;       ///< along the view, in the camera's unit
   Window seen_{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};  ///< of all things
 };

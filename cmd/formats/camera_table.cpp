@@ -124,8 +124,9 @@ Json documentOf(const Node& row, const Paths& paths) {
   NamedNumbers coefficients;
   std::string model;
   for (const auto& [column, cell] : row.json().items()) {
+    if (isEmpty(cell)) continue;
     const Node node = *row.find(column);
-    if (isEmpty(cell) || putTurn(column, node)) continue;
+    if (putTurn(column, node)) continue;
     const bool isSize = (column == "width" || column == "height") && !onEarth;
     if (isSize && !isPerspective)
       node.fail("may be the picture's or the window's: call it viewport." + column + " or projection." + column);

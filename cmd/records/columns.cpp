@@ -35,18 +35,19 @@ std::vector<std::pair<std::optional<std::string>, std::string>> splitRoles(std::
   return parts;
 }
 
-/// All parts that may be chosen, in the order of the table.
-std::vector<const CoordinatePart*> partsOf(const ChoosableColumns& choosable) {
+/// All parts that may be chosen.
+std::vector<const CoordinatePart*> partsOf(std::span<const Coordinate* const> rows,
+                                           std::span<const Coordinate* const> others) {
   std::vector<const CoordinatePart*> parts;
-  for (const auto& rows : {choosable.rows, choosable.others})
-    for (const Coordinate* row : rows)
+  for (const auto& some : {rows, others})
+    for (const Coordinate* row : some)
       for (const CoordinatePart& part : row->parts) parts.push_back(&part);
   return parts;
 }
 
 /// The role with this name, or an empty text.
 std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosable) {
-  for (const CoordinatePart* part : partsOf(choosable))
+  for (const CoordinatePart* part : partsOf(choosable.rows, choosable.others))
     if (isNamed(name, *part)) return part->name;
   return "";
 }
@@ -55,16 +56,17 @@ bool has(const std::vector<Pick>& picks, std::string_view role) {
   return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) { return pick.role == role; });
 }
 
-/// Whether the roles are exactly those of one row, each once, with at most one of the others.
-bool isWhole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+/// The row whose roles these are exactly, each once, with at most one of the others; null: there is none.
+const Coordinate* const* wholeRow(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   const auto isThere = [&](const CoordinatePart& part) { return has(picks, part.name); };
   const auto others = std::count_if(choosable.others.begin(), choosable.others.end(),
                                     [&](const Coordinate* other) { return isThere(other->parts[0]); });
-  return others <= 1 && std::any_of(choosable.rows.begin(), choosable.rows.end(), [&](const Coordinate* row) {
-           const auto needed = row->required();
-           const auto count = others + std::count_if(row->parts.begin(), row->parts.end(), isThere);
-           return std::all_of(needed.begin(), needed.end(), isThere) && static_cast<std::size_t>(count) == picks.size();
-         });
+  const auto found = std::find_if(choosable.rows.begin(), choosable.rows.end(), [&](const Coordinate* row) {
+    const auto needed = row->required();
+    const auto count = others + std::count_if(row->parts.begin(), row->parts.end(), isThere);
+    return std::all_of(needed.begin(), needed.end(), isThere) && static_cast<std::size_t>(count) == picks.size();
+  });
+  return others <= 1 && found != choosable.rows.end() ? &*found : nullptr;
 }
 
 /// A message such as "expected x,y,z[,w] or lat,lon,height, as in E,N,U or x=E,y=N,z=U".
@@ -94,7 +96,7 @@ bool assignInOrder(std::vector<Pick>& picks, const ChoosableColumns& choosable) 
   const bool hasMore = row.parts.size() > row.fewest;
   if (last.empty() && !(hasMore && !choosable.others.empty()))
     last = hasMore ? row.parts[row.fewest].name : choosable.others[0]->parts[0].name;
-  return isWhole(picks, choosable);
+  return wholeRow(picks, choosable) != nullptr;
 }
 
 /// If the names are all roles, assigns those, in any order. Throws UsageError if x, y, z are in another order, because
@@ -105,7 +107,7 @@ bool assignByName(const std::string& text, std::vector<Pick>& picks, const Choos
     pick.role = roleNamed(pick.name, choosable);
     pick.nameless = static_cast<std::size_t>(&pick - named.data()) + 1;
   }
-  if (!isWhole(named, choosable)) return false;
+  if (!wholeRow(named, choosable)) return false;
   if (named.size() == choosable.rows[0]->fewest && assignInOrder(picks, choosable))
     for (std::size_t i = 0; i < picks.size(); ++i)
       if (named[i].role != picks[i].role && has(picks, named[i].role))
@@ -132,8 +134,9 @@ ColumnChoice readPicks(const std::string& option, const std::string& text, const
   }
   if (!choice.hasRoles && !(areNames && (choice.hasRoles = assignByName(text, picks, choosable))))
     (void)assignInOrder(picks, choosable);
-  if (!isWhole(picks, choosable)) throw wrong(expected(choosable));
-  const auto parts = partsOf(choosable);
+  const Coordinate* const* const row = wholeRow(picks, choosable);
+  if (!row) throw wrong(expected(choosable));
+  const auto parts = partsOf({row, 1}, choosable.others);
   const auto orderOf = [&](const Pick& pick) {
     return std::find_if(parts.begin(), parts.end(), [&](const auto* part) { return part->name == pick.role; });
   };
