@@ -98,6 +98,9 @@ CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& prese
 std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& values, Handedness world) {
   const auto& [name, of] = order;
   if (!of.cameraAxes) return "";
+  if (name == "opk" && worldOf(values) == World::ecef)
+    return "opk turns from east, north and up, and this world is Earth-centred; give x, y, z of a map grid with "
+           "\"world\": \"enu\", or heading, pitch and roll";
   const std::string_view axes = nameOf(kCameraAxesNames, *of.cameraAxes);
   const auto* const stated = values.find<std::string_view>("cameraAxes");
   if (stated && *stated != axes)
