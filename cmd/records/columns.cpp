@@ -129,7 +129,7 @@ ColumnChoice readPicks(const std::string& option, const std::string& text, const
       throw wrong("write each with its role and =, or none; " + expected(choosable));
     if (picks.size() == kMostPicks) throw wrong("too many; " + expected(choosable));
     choice.hasRoles = role.has_value();
-    picks.push_back({role ? roleNamed(*role, choosable) : "", role && isSeaLevelName(*role), name});
+    picks.push_back({role ? roleNamed(*role, choosable) : "", isSeaLevelName(role.value_or(name)), name});
     if (role && picks.back().role.empty()) throw wrong(inQuotes(*role) + " is not a role; " + expected(choosable));
   }
   if (!choice.hasRoles && !(areNames && (choice.hasRoles = assignByName(text, picks, choosable))))
@@ -219,7 +219,8 @@ NumberPlan chosenFields(const ColumnChoice& choice, const RecordView& record, bo
       if (other.field == field)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) + " twice");
     plan.fields.push_back({field, 1, 1, false, mayBeAbsent});
-    if (pick.role == coordinates::place.parts[2].name) noteSeaLevel(pick.name, plan);
+    if (pick.isAltitude && pick.role == coordinates::place.parts[2].name)
+      noteSeaLevel(isSeaLevelName(pick.name) ? pick.name : "altitude", plan);
   }
   return plan;
 }
