@@ -40,6 +40,7 @@ Json lensOfCamera(const Node& camera) {
   }
   std::vector<double> whole(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(own));
   if (std::any_of(c.begin(), c.end(), [](double number) { return number != 0; })) {
+    if (!bent) camera.fail("has distortion_coeffs; needs distortion_model, which says what they are");
     if (name != "omni" || distortion != "radtan") bent->fail("is not supported beside the model " + name);
     whole.insert(whole.end(), c.begin(), c.end());
   }
