@@ -36,11 +36,16 @@ bool isOneOf(std::string_view name, std::string_view words) { return !wordFor(na
 
 }  // namespace
 
+bool isSeaLevelName(std::string_view name) {
+  return std::any_of(std::begin(kSeaLevelNames), std::end(kSeaLevelNames),
+                     [&](std::string_view known) { return sameButForCase(known, name); });
+}
+
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {
   for (const auto& [path, names] : kShort)
     if (isOneOf(column, names)) return std::string(path);
-  const bool isSeaLevel = isOneOf(column, "alt altitude elevation ele");
-  if (isSeaLevel || column == "height")
+  const bool isSeaLevel = isSeaLevelName(column);
+  if (isSeaLevel || isOneOf(column, "height"))
     return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
   if (isOneOf(column, kAmbiguous)) return "";
   if (const auto object = wordFor(column, "projection viewport convention"); !object.empty())

@@ -6,6 +6,10 @@
 
 namespace viewproj::cmd {
 
+/// Names of heights that may be above sea level, in any letter case.
+inline constexpr std::string_view kSeaLevelNames[] = {"alt", "altitude", "elevation", "ele"};
+bool isSeaLevelName(std::string_view name);
+
 /// Where the value of a column stands in a camera document: its path, or one that has a short name, such as x, lat, qx,
 /// yaw or fovX. Empty: it is no field of a camera. isOnEarth: another column is a latitude, so that a height is the
 /// position's.

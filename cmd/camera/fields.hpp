@@ -77,7 +77,7 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
          {"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "object"}, {"type": "array"}]}}]})", false,
      "rotation rotationVector euler translation"},
     {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
-    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  
+    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",
      R"({"type": "object", "required": ["model"], "additionalProperties": false, "properties": {
          "model": {"enum": ["brown", "fisheye", "unified", "double-sphere", "omni", "fov"]},
          "k": {"type": "array", "items": {"type": "number"}, "maxItems": 6}, "p": {"$ref": "#/$defs/pair"},

@@ -40,7 +40,7 @@ Names<ConventionPreset> presetChoices() {
 
 void CameraOptions::add(CLI::App& app) {
   app_ = &app;
-  app.option_defaults()->group(kCameraGroup);
+  const OptionGroup camera(app, kCameraGroup);
   addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
            "Camera file, or its JSON; #NAME picks one of several");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
@@ -61,14 +61,13 @@ void CameraOptions::add(CLI::App& app) {
   }
   app.add_flag_callback(
       "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "Orthographic projection");
-  app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
-  app.add_flag("--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
-  app.option_defaults()->group(kConventionGroup);
+  addFlag(app, "--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
+  addFlag(app, "--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
+  const OptionGroup convention(app, kConventionGroup);
   const auto chooseName = [](const std::string& option, const std::string& text) {
     return std::string(choose(option, text, presetChoices()).name);
   };
   addValue(app, "--read-as", "NAME", readAs_, chooseName, "Read a file that states no convention as NAME");
-  app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addFile(CLI::App& app) {
@@ -95,14 +94,13 @@ void CameraOptions::addConvention(CLI::App& app) {
 void CameraOptions::addWriting(CLI::App& app) {
   addConvention(app);
   onlyReads_ = false;
-  app.option_defaults()->group(kConventionGroup);
+  const OptionGroup convention(app, kConventionGroup);
   CLI::Option* const reversed = app.add_flag_callback(
       "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
   app.add_flag_callback(
          "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
       ->excludes(reversed);
   addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Range of NDC z to write");
-  app.option_defaults()->group("Options");
 }
 
 std::optional<std::string> CameraOptions::file(bool mayLack) const {

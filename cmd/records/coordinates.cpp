@@ -77,8 +77,6 @@ bool isWhole(std::span<const PartMatch> matches) {
   return std::all_of(matches.begin(), matches.end(), [](const PartMatch& match) { return match.field.has_value(); });
 }
 
-bool isSeaLevelName(std::string_view name) { return isAmong(coordinates::kSeaLevelNames, name); }
-
 std::string seaLevelNote(std::string_view name) {
   return inQuotes(name) +
          " is taken as height above the ellipsoid; heights above sea level differ from it by up to 107 m";

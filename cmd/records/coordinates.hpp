@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "camera/field_columns.hpp"
+
 namespace viewproj::cmd {
 
 enum class CoordinateForm : unsigned char {
@@ -61,8 +63,7 @@ using enum CoordinateForm;
 inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
     kLatNames[] = {"latitude"},
-    kLonNames[] = {"lng", "longitude"},
-    kSeaLevelNames[] = {"alt", "altitude", "elevation", "ele"};  // read as heights, with a note
+    kLonNames[] = {"lng", "longitude"};
 
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
@@ -150,8 +151,6 @@ std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span
 /// Whether every part has a field.
 bool isWhole(std::span<const PartMatch> matches);
 
-/// Whether a height has a name that may mean height above sea level.
-bool isSeaLevelName(std::string_view name);
 std::string seaLevelNote(std::string_view name);
 
 }  // namespace viewproj::cmd
