@@ -25,14 +25,20 @@ struct Owners {
 
 template <class Parts>
 struct Owned final : Owners {
-  explicit Owned(const Parts& owned) : parts(owned) {}
+  template <class... Arguments>
+  explicit Owned(const Arguments&... arguments) : parts(arguments...) {}
   const Parts parts;
 };
 
+/// Parts made of these arguments, and with one owner.
+template <class Parts, class... Arguments>
+Shared<Parts> shareNew(const Arguments&... arguments) {
+  auto* owned = new Owned<Parts>(arguments...);
+  return {&owned->parts, owned};
+}
 template <class Parts>
 Shared<Parts> share(const Parts& parts) {
-  auto* owned = new Owned<Parts>(parts);
-  return {&owned->parts, owned};
+  return shareNew<Parts>(parts);
 }
 
 }  // namespace viewproj::detail

@@ -79,7 +79,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
 
 struct Geoid::Grid {
   Grid(const std::string& name, const std::string& folder) : heights(name, folder) {}
-  std::mutex reading;
+  mutable std::mutex reading;
   GeographicLib::Geoid heights;
 };
 
@@ -90,7 +90,7 @@ Geoid::Geoid(const std::string& file) {
   const std::string folder = slash == std::string::npos ? "." : file.substr(0, slash + 1);
   const std::string name = file.substr(slash + 1);
   try {
-    grid_ = std::make_shared<Grid>(name.substr(0, name.size() - ending.size()), folder);
+    grid_ = shareNew<Grid>(name.substr(0, name.size() - ending.size()), folder);
   } catch (const std::exception& e) {
     throw CameraError("geoid", e.what());
   }

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <string>
 
 #include "viewproj/screen.hpp"
@@ -59,7 +58,7 @@ class Geoid {
 
  private:
   struct Grid;
-  std::shared_ptr<Grid> grid_;
+  detail::Shared<Grid> grid_;
 };
 
 /// Orientation of a camera in degrees: heading clockwise from north, pitch above the horizon, roll with the right side
