@@ -189,7 +189,12 @@ class LayoutReader {
   std::optional<Reading> readP() const {
     const double lengths = length(rowOf(m_, 0)) * length(rowOf(m_, 1)) * length(rowOf(m_, 2)), volume = determinant(m_);
     if (!(std::fabs(volume) > 1e-9 * lengths)) return std::nullopt;
-    const SplitMatrix split = splitMatrix(std::span(m_[0].data(), 12));
+    SplitMatrix split;
+    try {
+      split = splitMatrix(std::span(m_[0].data(), 12));
+    } catch (const CameraError&) {  // rows whose numbers lie too far apart
+      return std::nullopt;
+    }
     Reading r;
     r.kind = ReadingKind::p;
     r.layout = laid_.layout;
