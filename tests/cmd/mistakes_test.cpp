@@ -293,7 +293,7 @@ TEST_CASE("A mistake is named, and no other beside it") {
   CHECK(tried > 100);
 }
 
-TEST_CASE("A mistake is found as often in few pairs and in noise") {
+TEST_CASE("A mistake is found as often in few pairs and in noise", "[rates]") {
   struct Share {
     int pairs;
     double noise, first, alone, other;  ///< of all cases, to two digits: at least, at least, at most
