@@ -2,18 +2,25 @@
 
 #include <algorithm>
 
+#include "output/output_file.hpp"
 #include "text/names.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-/// The kind that its name tells, else the likeliest.
-ReadingKind kindOf(const ReadMatrix& matrix) {
+/// The kind that its name or the words before it tell; of a matrix without a name, the likeliest.
+std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   const std::vector<Reading>& readings = matrix.found.readings;
-  const KindHint hint = hintOf(matrix.pasted);
-  const auto named =
-      std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == hint.kind; });
-  return named == readings.end() ? readings.front().kind : named->kind;
+  const std::optional<ReadingKind> told = hintOf(matrix.pasted).kind;
+  if (!told && matrix.pasted.name.empty() && !readings.empty()) return readings.front().kind;
+  const bool fits = std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == told; });
+  return fits ? told : std::nullopt;
+}
+
+std::string shownNameOf(const ReadMatrix& matrix) {
+  const PastedMatrix& m = matrix.pasted;
+  return m.name.empty() ? "the matrix in line " + std::to_string(m.line) : visible(m.name);
 }
 
 }  // namespace
@@ -56,17 +63,14 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
 std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
                                             const std::optional<Convention>& readAs) {
   if (findMatrices(file.text).matrices.empty()) return std::nullopt;
-  const ReadMatrix *pose = nullptr, *projection = nullptr;
   const std::vector<ReadMatrix> matrices = readMatrices(file.text, source, file.what(), {readAs, {}});
-  for (const ReadMatrix& matrix : matrices) {
-    if (matrix.found.readings.empty()) continue;
-    const ReadingKind kind = kindOf(matrix);
-    const bool isPose = kind == ReadingKind::view || kind == ReadingKind::pose;
-    if (!isPose && kind != ReadingKind::projection) continue;
-    const ReadMatrix*& found = isPose ? pose : projection;
-    if (found) return std::nullopt;
-    found = &matrix;
-  }
+  const auto only = [&](ReadingKind kind) -> const ReadMatrix* {
+    const auto is = [&](const ReadMatrix& matrix) { return kindOf(matrix) == kind; };
+    const auto found = std::find_if(matrices.begin(), matrices.end(), is);
+    return std::count_if(matrices.begin(), matrices.end(), is) == 1 ? &*found : nullptr;
+  };
+  const ReadMatrix *const view = only(ReadingKind::view), *const pose = view ? view : only(ReadingKind::pose),
+                          *const projection = only(ReadingKind::projection);
   if (!pose || !projection) return std::nullopt;
   MatrixSet set;
   std::optional<Handedness> world;
@@ -76,14 +80,22 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     c.world = own.world;
     return c;
   };
-  for (const ReadMatrix* matrix : {pose, projection}) {
-    set.matrices.push_back(convertOne(*matrix, source + ": " + matrix->pasted.name, writing, world));
-    const ReadingKind kind = kindOf(*matrix);
-    set.matrices.back().name = kind == ReadingKind::projection ? "projection"
-                               : kind == ReadingKind::view     ? "view"
-                                                               : "viewInverse";
-  }
+  const auto add = [&](const ReadMatrix& matrix, std::string name) {
+    set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
+    set.matrices.back().name = std::move(name);
+  };
+  add(*pose, view ? "view" : "viewInverse");
+  add(*projection, "projection");
   set.convention.world = *world;
+  std::string others;
+  for (const ReadMatrix& matrix : matrices) {
+    const auto kind = kindOf(matrix);
+    const bool isOfThem = kind == ReadingKind::viewProjection || kind == ReadingKind::viewProjectionInverse ||
+                          kind == ReadingKind::projectionInverse;
+    if (&matrix != pose && &matrix != projection && !isOfThem)
+      others += (others.empty() ? "" : ", ") + shownNameOf(matrix);
+  }
+  if (!others.empty()) note(source + ": not read: " + others);
   return writeMatrices(set, "json", source);
 }
 
