@@ -55,19 +55,23 @@ Json eulerOf(const std::string& text) {
 
 }  // namespace
 
-/// A place, and behind a blank its turn: "1,2,3 rpy:0,0,90".
 std::optional<Json> poseOfText(const std::string& text) {
-  const std::size_t blank = text.find(' '), colon = text.find(':', blank);
+  const std::size_t blank = text.find(' ');
   const auto place = blank == std::string::npos ? std::nullopt : parseNumberList(text.substr(0, blank));
-  if (!place || colon == std::string::npos) return std::nullopt;
-  const std::string turn = text.substr(blank + 1);
+  if (!place || place->size() < 2) return std::nullopt;
+  const std::string turn = text.substr(blank + 1), order = turn.substr(0, turn.find(':'));
   Json pose{{"translation", *place}};
-  if (turn.starts_with("quaternion:") || turn.starts_with("quat:"))
-    pose["rotation"] = listOrObject(turn.substr(turn.find(':') + 1));
-  else if (turn.starts_with("vector:") || turn.starts_with("rvec:"))
-    pose["rotationVector"] = listOrObject(turn.substr(turn.find(':') + 1));
-  else
+  const auto numbers = [&] { return listOrObject(turn.substr(order.size() + 1)); };
+  if (order == "quaternion" || order == "quat")
+    pose["rotation"] = numbers();
+  else if (order == "vector" || order == "rvec")
+    pose["rotationVector"] = numbers();
+  else if (place->size() == 3 && order.size() < turn.size() && rowNamed(kEulerOrders, order))
     pose["euler"] = eulerOf(turn);
+  else
+    throw UsageError(text +
+                     ": expected a place and its turn, as '1,2,3 rpy:0,0,90' (or unity, unreal, opk, or axes as "
+                     "YXZ), '1,2,3 quat:0,0,0,1' or '1,2,3 rvec:0,0,1.57'");
   return pose;
 }
 

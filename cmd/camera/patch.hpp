@@ -27,9 +27,8 @@ Patch orthographicPatch();
 /// The patch of --set "projection.fovY=75". The value is JSON, the short form of the field's option, or else text.
 /// Throws UsageError.
 Patch setPatch(const std::string& text);
-/// A pose of a text: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:)
-/// or vector:x,y,z (rvec:, radians). Nothing
-/// for a text of another form. The values are not checked.
+/// A pose as options say it: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:) or vector:x,y,z
+/// (rvec:, radians). Nothing for a text that begins otherwise. The values are not checked.
 std::optional<Json> poseOfText(const std::string& text);
 /// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);

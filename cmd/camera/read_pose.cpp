@@ -97,10 +97,13 @@ CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& prese
 
 std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& values, Handedness world) {
   const auto& [name, of] = order;
+  const bool isLetters = 'A' <= name.front() && name.front() <= 'Z';
+  if (!isLetters && worldOf(values) == World::ecef)
+    return std::string(name) +
+           " turns from the axes of a local world, as east, north and up, and this world is "
+           "Earth-centred; give heading, pitch and roll, or x, y, z of a map grid with "
+           "\"world\": \"enu\"";
   if (!of.cameraAxes) return "";
-  if (name == "opk" && worldOf(values) == World::ecef)
-    return "opk turns from east, north and up, and this world is Earth-centred; give x, y, z of a map grid with "
-           "\"world\": \"enu\", or heading, pitch and roll";
   const std::string_view axes = nameOf(kCameraAxesNames, *of.cameraAxes);
   const auto* const stated = values.find<std::string_view>("cameraAxes");
   if (stated && *stated != axes)

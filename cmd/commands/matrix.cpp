@@ -137,9 +137,11 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
     if (isGiven(app, option)) throw UsageError(std::string(option) + " is for a camera; " + unknown.what());
   if (o.camera.changesCamera()) throw InputError(unknown.what());
   MatrixQuestion question{o.camera.readAs(), {}};
-  for (const CameraMatrix* row : o.which.value_or(Matrices()))
-    for (const auto& [name, kind] : kReadingKinds)
-      if (name == row->name) question.which.push_back(kind);
+  for (const CameraMatrix* row : o.which.value_or(Matrices())) {
+    const auto kind = rowNamed(kReadingKinds, row->name);
+    if (!kind) throw UsageError("--which " + std::string(row->name) + " is of a camera; " + unknown.what());
+    question.which.push_back(kind->second);
+  }
   const std::string source = shownName(o.camera.file().value_or("-"));
   std::vector<ReadMatrix> matrices = readMatrices(unknown.text, source, unknown.what(), question);
   if (o.which) std::erase_if(matrices, [](const ReadMatrix& m) { return m.found.readings.empty(); });

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "commands/matrix_readings.hpp"
-#include "commands/pasted_parts.hpp"
+#include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd {
 namespace {

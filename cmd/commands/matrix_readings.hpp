@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "camera/names.hpp"
-#include "commands/pasted_matrices.hpp"
+#include "text/pasted_matrices.hpp"
 #include "viewproj/cameras_of.hpp"
 
 namespace viewproj::cmd {

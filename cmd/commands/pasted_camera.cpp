@@ -9,13 +9,16 @@
 namespace viewproj::cmd {
 namespace {
 
-/// The kind that its name or the words before it tell; of a matrix without a name, the likeliest.
+/// The kind that its name or the words before it tell; of a matrix without a name, that of all its readings.
 std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   const std::vector<Reading>& readings = matrix.found.readings;
+  if (readings.empty()) return std::nullopt;
   const std::optional<ReadingKind> told = hintOf(matrix.pasted).kind;
-  if (!told && matrix.pasted.name.empty() && !readings.empty()) return readings.front().kind;
-  const bool fits = std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == told; });
-  return fits ? told : std::nullopt;
+  const ReadingKind kind = told.value_or(readings.front().kind);
+  const auto is = [&](const Reading& r) { return r.kind == kind; };
+  const bool fits = told ? std::any_of(readings.begin(), readings.end(), is)
+                         : matrix.pasted.name.empty() && std::all_of(readings.begin(), readings.end(), is);
+  return fits ? std::optional(kind) : std::nullopt;
 }
 
 std::string shownNameOf(const ReadMatrix& matrix) {
@@ -71,7 +74,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   };
   const ReadMatrix *const view = only(ReadingKind::view), *const pose = view ? view : only(ReadingKind::pose),
                           *const projection = only(ReadingKind::projection);
-  if (!pose || !projection) return std::nullopt;
+  if (!pose && !projection) return std::nullopt;
   MatrixSet set;
   std::optional<Handedness> world;
   set.convention = readAs.value_or(Convention{});
@@ -84,9 +87,9 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
     set.matrices.back().name = std::move(name);
   };
-  add(*pose, view ? "view" : "viewInverse");
-  add(*projection, "projection");
-  set.convention.world = *world;
+  if (pose) add(*pose, view ? "view" : "viewInverse");
+  if (projection) add(*projection, "projection");
+  set.convention.world = world.value_or(set.convention.world);
   std::string others;
   for (const ReadMatrix& matrix : matrices) {
     const auto kind = kindOf(matrix);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "commands/pasted_matrices.hpp"
+#include "text/pasted_matrices.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {

@@ -10,6 +10,7 @@
 #include "formats/rows.hpp"
 #include "formats/tree.hpp"
 #include "formats/unread.hpp"
+#include "text/file.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -132,26 +133,31 @@ struct PoseFactor {
   std::string field;
 };
 
+/// A pose that is typed, or printed in a file of no form.
+PoseFactor factorOf(Json pose, const std::string& field) {
+  CameraEntry camera;
+  camera.document = [pose = std::move(pose), field] { return Json{{field, pose}}; };
+  return {nullptr, {camera}, field};
+}
+
 PoseFactor factorOf(const std::string& source, const Opening& opening) {
   const std::string& field = opening.direction;
-  if (const auto pose = poseOfText(source)) {
-    CameraEntry camera;
-    camera.document = [pose = *pose, field] { return Json{{field, pose}}; };
-    return {nullptr, {camera}, field};
-  }
+  if (const auto pose = poseOfText(source)) return factorOf(*pose, field);
   const auto [name, pick] = splitPick(source);
-  const auto file = std::make_shared<Document>(
-      readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world"));
-  file->marks = std::make_shared<std::unordered_set<const void*>>();
-  PosesOfFile read = posesOf(Node(*file));
-  if (read.poses.cameras.empty()) {  // a camera's pose
-    try {
+  const auto file = std::make_shared<Document>();
+  PosesOfFile read;
+  try {
+    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world");
+    file->marks = std::make_shared<std::unordered_set<const void*>>();
+    read = posesOf(Node(*file));
+    // A camera's pose.
+    if (read.poses.cameras.empty())
       read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
-    } catch (const UnknownFormat&) {
-      Node(*file).fail(
-          "holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, or "
-          "{\"rotation\", \"translation\"}");
-    }
+  } catch (const UnknownFormat& unknown) {
+    if (const auto pose = pick ? std::nullopt : printedPose(unknown.text)) return factorOf(*pose, field);
+    throw InputError(shownName(name) +
+                     ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
+                     "or {\"rotation\", \"translation\"}");
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
@@ -201,9 +207,11 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
                        "; pick one of either");
     several = &factor;
   }
-  const std::string replaced =
-      std::string("its own pose, which ") +
-      (opening.direction == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world") + " replaces";
+  const bool isWorldFirst = opening.direction == "worldFromCamera";
+  const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
+  const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
+                               (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
+                               " keeps both)";
   const auto moved = [&](const CameraEntry& camera, std::size_t number) {
     return [document = camera.document, factors, number, direction = opening.direction] {
       return atPose(document(), *factors, number, direction);

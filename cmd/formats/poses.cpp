@@ -10,6 +10,7 @@
 #include "formats/parts.hpp"
 #include "formats/writer.hpp"
 #include "text/number.hpp"
+#include "text/pasted_matrices.hpp"
 
 namespace viewproj::cmd {
 namespace poses {
@@ -82,6 +83,25 @@ PosesOfFile posesOf(const Node& root) {
       form->isDirected};
   file.poses.noun = "pose";
   return file;
+}
+
+std::optional<Json> printedPose(std::string_view text) {
+  const std::vector<PastedMatrix> matrices = findMatrices(text).matrices;
+  if (matrices.size() != 1 || matrices.front().numbers.size() < 12) return std::nullopt;
+  const PastedMatrix& m = matrices.front();
+  const auto endsRigid = [&](bool isTransposed) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if ((isTransposed ? m.at(i, 3) : m.at(3, i)) != (i < 3 ? 0 : 1)) return false;
+    return true;
+  };
+  const bool isTransposed =
+      m.isByColumns || m.isCss || m.columns == 3 || (m.rows == 4 && !endsRigid(false) && endsRigid(true));
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < std::min(isTransposed ? m.columns : m.rows, std::size_t{4}); ++i) {
+    rows.push_back(Json::array());
+    for (std::size_t j = 0; j < 4; ++j) rows.back().push_back(isTransposed ? m.at(j, i) : m.at(i, j));
+  }
+  return rows;
 }
 
 extern const Format kPoses{"poses", "poses without a lens",

@@ -1,7 +1,9 @@
 // Poses without a lens: matrices and trajectories as text, as JSON, or as the pose of a calibration.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "camera/camera_set.hpp"
 
@@ -17,5 +19,7 @@ struct PosesOfFile {
 bool holdsPoses(const Node& root);
 /// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
+/// The rows of the one pose that a text has, as a program prints it; of the two layouts the one whose last row is 0 0 0 1.
+std::optional<Json> printedPose(std::string_view text);
 
 }  // namespace viewproj::cmd

@@ -1,5 +1,5 @@
 // Matrices in text: which numbers they are, what they can be, how sure, and in another convention.
-#include "commands/pasted_matrices.hpp"
+#include "text/pasted_matrices.hpp"
 
 #include <algorithm>
 #include <cmath>

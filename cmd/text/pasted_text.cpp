@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "commands/pasted_parts.hpp"
+#include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd::pasted {
 namespace {

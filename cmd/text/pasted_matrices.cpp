@@ -1,10 +1,10 @@
 // The matrices of a text with the names that it has for them.
-#include "commands/pasted_matrices.hpp"
+#include "text/pasted_matrices.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "commands/pasted_parts.hpp"
+#include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 #include <span>
 
-#include "commands/pasted_parts.hpp"
+#include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd::pasted {
 namespace {

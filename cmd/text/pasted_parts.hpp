@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/pasted_matrices.hpp"
 #include "text/number.hpp"
+#include "text/pasted_matrices.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd::pasted {
