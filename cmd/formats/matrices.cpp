@@ -16,8 +16,10 @@ namespace matrices {
 
 using Names = std::initializer_list<std::string_view>;
 
-const Names kView{"view", "viewMatrix", "modelview", "modelViewMatrix", "worldToCameraMatrix"};
-const Names kViewInverse{"viewInverse", "viewMatrixInverse", "cameraToWorldMatrix"};
+const Names kView{"view",          "viewMatrix",          "modelview", "modelViewMatrix",
+                  "worldToCamera", "worldToCameraMatrix", "w2c",       "matrixWorldInverse"};
+const Names kViewInverse{"viewInverse", "viewMatrixInverse", "cameraToWorld", "cameraToWorldMatrix",
+                         "c2w",         "matrixWorld"};
 const Names kProjection{"projection", "projectionMatrix", "proj"};
 const Names kProduct{"viewProjection", "viewProjectionMatrix"};
 
