@@ -125,6 +125,8 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   });
   if (isTyped && !readAs_ && convention_ && (convention_->convention.world == Handedness::right || !hasPlace))
     all.readAs = convention_->name;
+  if (isTyped && !readAs_ && reverseZ_)
+    all.patches.push_back(setPatch(std::string("convention.reverseZ=") + (*reverseZ_ ? "true" : "false")));
   if (viewport_)
     for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);
   requireConsistent(all.patches);
