@@ -16,7 +16,7 @@ bool hasGeoid();
 double seaLevelAt(double lat, double lon);
 
 inline constexpr const char* kNeedsGeoid =
-    "is above sea level: --geoid N, or a file of GeographicLib, says how far that is above the ellipsoid";
+    "is above sea level and needs --geoid: its metres above the ellipsoid, or a file of GeographicLib";
 
 /// The height above the ellipsoid of an altitude at the camera. Throws UsageError without --geoid, and fails where the
 /// camera is not on the Earth.

@@ -113,7 +113,7 @@ cd "$source"
 echo '== manual page'
 gzip -dc "$work/prefix/share/man/man1/viewproj.1.gz" >"$work/viewproj.1"
 mandoc -Tlint -Wwarning "$work/viewproj.1"
-for command in $("$work/prefix/bin/viewproj" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+for command in $("$work/prefix/bin/viewproj" --help | sed -n '/^Usage:/,/^Topics/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   grep -qF "\\fB$command\\fR" "$work/viewproj.1" || fail "the manual page does not name $command"
 done
 
