@@ -53,12 +53,13 @@ bool earthHides(const Vec3& eye, const Vec4& p) {
   const Vec3 to = isDirection ? Vec3{p.x, p.y, p.z} : scaled({p.x, p.y, p.z}, 1 / p.w);
   const Geodetic from = ecefToGeodetic(eye);
   const double lower = isDirection ? from.height : std::min(from.height, ecefToGeodetic(to).height);
-  const double up = std::min(seaLevelAt(from.lat, from.lon), lower - 1);
+  constexpr double kDeepest = -12e3;  // metres, lower than any ground: what lies deeper is in the Earth
+  const double up = std::max(std::min(seaLevelAt(from.lat, from.lon), lower - 1), kDeepest);
   const double a = kWgs84.equatorial + up, b = kWgs84.polar + up;
   const auto shrunk = [&](const Vec3& v) { return Vec3{v.x / a, v.y / a, v.z / b}; };
   const Vec3 start = shrunk(eye), way = isDirection ? shrunk(to) : sum(shrunk(to), -1, start);
-  const double nearest = -detail::dot(start, way) / detail::dot(way, way);
-  return nearest > 0 && (isDirection || nearest < 1) && length(sum(start, nearest, way)) < 1;
+  const double nearest = std::clamp(-detail::dot(start, way) / detail::dot(way, way), 0.0, isDirection ? kInfinity : 1.0);
+  return length(sum(start, nearest, way)) < 1;
 }
 
 }  // namespace viewproj::cmd

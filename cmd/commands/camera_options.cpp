@@ -7,9 +7,11 @@
 #include "camera/fields.hpp"
 #include "camera/sea_level.hpp"
 #include "camera/write_camera.hpp"
+#include "commands/pasted_camera.hpp"
 #include "formats/open.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
+#include "text/file.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -169,7 +171,16 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (!name) return {std::make_unique<CameraSet>(all), std::nullopt};
   const CameraSource source = splitPick(*name);
   opening.pick = source.pick;
-  return {openCameras(source.file, opening, std::move(all)), source.pick};
+  try {
+    return {openCameras(source.file, opening, all), source.pick};
+  } catch (const UnknownFormat& unknown) {
+    const auto* const tree = dynamic_cast<const UnknownFile*>(&unknown);
+    if (parts_ || (tree && !tree->file.isPlainText) || (showsMatrices_ && !changesCamera())) throw;
+    const auto matrices = cameraOfMatrices(unknown, shownName(source.file), readAs());
+    if (!matrices) throw;
+    all.readAs.clear();
+    return {openDocument(parseDocument(shownName(source.file), *matrices), opening, std::move(all)), source.pick};
+  }
 }
 
 CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture,

@@ -32,6 +32,8 @@ class CameraOptions {
 
   /// For a command that needs near and far alone: options without a field of view are enough.
   void takeAnyLens() { takesAnyLens_ = true; }
+  /// For a command that tells of matrices in a text, unless options want a camera of them.
+  void showMatrices() { showsMatrices_ = true; }
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
@@ -84,7 +86,7 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesAnyLens_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
+  bool takesAnyLens_ = false, showsMatrices_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -375,6 +375,7 @@ Action declareInfo(CLI::App& app) {
       withNames("Read matrices, as these kinds alone", known(rowsOf(kReadingKinds)), "a camera, if there is one"));
   addAngles(app, o->angles, "Tell the pose as turns about the camera's axes too");
   o->report.add(app, 9);
+  o->camera.showMatrices();
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);

@@ -4,7 +4,7 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "commands/matrix_report.hpp"
+#include "commands/pasted_camera.hpp"
 #include "commands/world_options.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
@@ -130,42 +130,6 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-/// The one matrix that all readings give in the convention to write. world: that of the matrices with a pose, which is
-/// one for all.
-NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name, const MatrixOptions& o,
-                       std::optional<Handedness>& world) {
-  std::vector<Reading> readings = matrix.found.readings;
-  if (readings.empty()) throw InputError(name + ": " + matrix.found.fault);
-  // A name that tells the kind decides between the kinds.
-  const KindHint hint = hintOf(matrix.pasted);
-  const auto isNamed = [&](const Reading& r) { return r.kind == hint.kind; };
-  if (std::any_of(readings.begin(), readings.end(), isNamed))
-    std::erase_if(readings, [&](const Reading& r) { return !isNamed(r); });
-  std::optional<Mat4> result;
-  for (const Reading& r : readings) {
-    Mat4 each;
-    try {
-      const Convention own = r.camera ? r.camera->convention : Convention{};
-      each = converted(r, matrixOf(matrix.pasted, r.layout), o.camera.writing(own));
-    } catch (const CameraError& e) {
-      throw InputError(name + ": " + e.message());
-    }
-    if (result && !(*result == each))
-      throw InputError(name + ": can be read in " + std::to_string(readings.size()) +
-                       " ways, which give different matrices; viewproj info lists them, and --read-as NAME and --which "
-                       "NAME choose");
-    result = each;
-  }
-  if (readings.front().camera->pose) {
-    const Handedness own = readings.front().camera->convention.world;
-    if (world.value_or(own) != own)
-      throw InputError(name + ": its world is " + std::string(nameOf(kWorldNames, own)) +
-                       "-handed, unlike that of the matrices before it; --which picks");
-    world = own;
-  }
-  return {name, *result};
-}
-
 /// The matrices of a text in another convention or language, by signs and layout alone.
 int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& unknown) {
   for (const char* option :
@@ -183,12 +147,13 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
   MatrixSet set;
   set.asFloat = o.asFloat;
   std::optional<Handedness> world;
+  const auto writing = [&](const Convention& own) { return o.camera.writing(own); };
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     std::string name = visible(matrices[i].pasted.name);
     const auto isTaken = [&](const NamedMatrix& m) { return m.name == name; };
     if (name.empty() || std::any_of(set.matrices.begin(), set.matrices.end(), isTaken))
       name += (name.empty() ? "matrix " : " ") + std::to_string(i + 1);
-    set.matrices.push_back(convertOne(matrices[i], name, o, world));
+    set.matrices.push_back(convertOne(matrices[i], name, writing, world));
   }
   const Convention read = o.camera.readAs().value_or(Convention{});
   set.convention = o.camera.writing(read);
@@ -269,6 +234,7 @@ Action declareMatrix(CLI::App& app) {
   exclude(model, relative);
   exclude(model, findOption(app, "--map"));
   exclude(model, findOption(app, "--scale"));
+  o->camera.showMatrices();
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -225,25 +225,30 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   return all;
 }
 
+std::unique_ptr<CameraSet> cameraSet(const std::shared_ptr<Document>& file, Import cameras, const Opening& opening,
+                                     CameraPatches patches) {
+  std::string name = file->name;
+  if (!opening.poses.empty()) cameras = atPoses(std::move(cameras), opening, name);
+  return std::make_unique<CameraSet>(std::move(name), std::move(cameras), std::move(patches), file);
+}
+
 }  // namespace
+
+std::unique_ptr<CameraSet> openDocument(Document document, const Opening& opening, CameraPatches patches) {
+  const auto file = std::make_shared<Document>(std::move(document));
+  file->marks = std::make_shared<std::unordered_set<const void*>>();
+  Import cameras = importFile(file, opening, patches.readAs);
+  return cameraSet(file, std::move(cameras), opening, std::move(patches));
+}
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   if (opening.parts && !patches.readAs.empty())
     throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
-  std::shared_ptr<Document> file;
-  Import result;
-  if (const auto model = opening.parts ? std::nullopt : colmapModel(source)) {
-    if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");
-    file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
-    result = openColmap(Node(*file));
-  } else {
-    file = std::make_shared<Document>(readTree(source, opening.option));
-    file->marks = std::make_shared<std::unordered_set<const void*>>();
-    result = importFile(file, opening, patches.readAs);
-  }
-  std::string name = file->name;
-  if (!opening.poses.empty()) result = atPoses(std::move(result), opening, name);
-  return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches), file);
+  const auto model = opening.parts ? std::nullopt : colmapModel(source);
+  if (!model) return openDocument(readTree(source, opening.option), opening, std::move(patches));
+  if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");
+  const auto file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
+  return cameraSet(file, openColmap(Node(*file)), opening, std::move(patches));
 }
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {

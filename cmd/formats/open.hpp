@@ -31,6 +31,8 @@ struct Opening {
 
 /// The cameras of a file; with --parts those that its line builds. Throws UnknownFile, InputError.
 std::unique_ptr<CameraSet> openCameras(const std::string& file, const Opening& opening, CameraPatches patches);
+/// The same of a file that is read.
+std::unique_ptr<CameraSet> openDocument(Document file, const Opening& opening, CameraPatches patches);
 /// The cameras of options alone, at the poses of a file.
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches);
 

@@ -1,0 +1,102 @@
+#include "commands/pasted_camera.hpp"
+
+#include <algorithm>
+
+#include "output/output_file.hpp"
+#include "text/names.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// The kind that its name or the words before it tell; of a matrix without a name, the likeliest.
+std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
+  const std::vector<Reading>& readings = matrix.found.readings;
+  const std::optional<ReadingKind> told = hintOf(matrix.pasted).kind;
+  if (!told && matrix.pasted.name.empty() && !readings.empty()) return readings.front().kind;
+  const bool fits = std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == told; });
+  return fits ? told : std::nullopt;
+}
+
+std::string shownNameOf(const ReadMatrix& matrix) {
+  const PastedMatrix& m = matrix.pasted;
+  return m.name.empty() ? "the matrix in line " + std::to_string(m.line) : visible(m.name);
+}
+
+}  // namespace
+
+NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
+                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world) {
+  std::vector<Reading> readings = matrix.found.readings;
+  if (readings.empty()) throw InputError(name + ": " + matrix.found.fault);
+  // A name that tells the kind decides between the kinds.
+  const KindHint hint = hintOf(matrix.pasted);
+  const auto isNamed = [&](const Reading& r) { return r.kind == hint.kind; };
+  if (std::any_of(readings.begin(), readings.end(), isNamed))
+    std::erase_if(readings, [&](const Reading& r) { return !isNamed(r); });
+  std::optional<Mat4> result;
+  for (const Reading& r : readings) {
+    Mat4 each;
+    try {
+      const Convention own = r.camera ? r.camera->convention : Convention{};
+      each = converted(r, matrixOf(matrix.pasted, r.layout), writing(own));
+    } catch (const CameraError& e) {
+      throw InputError(name + ": " + e.message());
+    }
+    if (result && !(*result == each))
+      throw InputError(
+          name + ": can be read in " + std::to_string(readings.size()) +
+          " ways, which give different matrices; viewproj info lists them, --read-as NAME chooses, and for matrix "
+          "--which NAME too");
+    result = each;
+  }
+  if (readings.front().camera->pose) {
+    const Handedness own = readings.front().camera->convention.world;
+    if (world.value_or(own) != own)
+      throw InputError(name + ": its world is " + std::string(nameOf(kWorldNames, own)) +
+                       "-handed, unlike that of the matrices before it; --which picks");
+    world = own;
+  }
+  return {name, *result};
+}
+
+std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
+                                            const std::optional<Convention>& readAs) {
+  if (findMatrices(file.text).matrices.empty()) return std::nullopt;
+  const std::vector<ReadMatrix> matrices = readMatrices(file.text, source, file.what(), {readAs, {}});
+  const auto only = [&](ReadingKind kind) -> const ReadMatrix* {
+    const auto is = [&](const ReadMatrix& matrix) { return kindOf(matrix) == kind; };
+    const auto found = std::find_if(matrices.begin(), matrices.end(), is);
+    return std::count_if(matrices.begin(), matrices.end(), is) == 1 ? &*found : nullptr;
+  };
+  const ReadMatrix *const view = only(ReadingKind::view), *const pose = view ? view : only(ReadingKind::pose),
+                          *const projection = only(ReadingKind::projection);
+  if (!pose || !projection) return std::nullopt;
+  MatrixSet set;
+  std::optional<Handedness> world;
+  set.convention = readAs.value_or(Convention{});
+  const auto writing = [&](const Convention& own) {
+    Convention c = set.convention;
+    c.world = own.world;
+    return c;
+  };
+  const auto add = [&](const ReadMatrix& matrix, std::string name) {
+    set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
+    set.matrices.back().name = std::move(name);
+  };
+  add(*pose, view ? "view" : "viewInverse");
+  add(*projection, "projection");
+  set.convention.world = *world;
+  std::string others;
+  for (const ReadMatrix& matrix : matrices) {
+    const auto kind = kindOf(matrix);
+    const bool isOfThem = kind == ReadingKind::viewProjection || kind == ReadingKind::viewProjectionInverse ||
+                          kind == ReadingKind::projectionInverse;
+    if (&matrix != pose && &matrix != projection && !isOfThem)
+      others += (others.empty() ? "" : ", ") + shownNameOf(matrix);
+  }
+  if (!others.empty()) note(source + ": not read: " + others);
+  return writeMatrices(set, "json", source);
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,24 @@
+// Matrices of a text in a stated convention: what matrix writes of them, and the camera that -c reads of them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "commands/matrix_report.hpp"
+#include "output/matrix_text.hpp"
+#include "text/error.hpp"
+
+namespace viewproj::cmd {
+
+/// The one matrix that all readings give. writing: the convention to write in, of that of a reading. world: that of the
+/// matrices with a pose, which is one for all. Throws InputError where readings give different matrices.
+NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
+                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world);
+
+/// A view, or its inverse, and a projection in the text of a file as a file of matrices, in JSON; nothing where the
+/// text does not have one of each. Throws InputError where they can be read in several ways.
+std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
+                                            const std::optional<Convention>& readAs);
+
+}  // namespace viewproj::cmd
