@@ -23,8 +23,8 @@ inline constexpr const char* kNeedsGeoid =
 double heightOfAltitude(const CameraFile& camera, double altitude);
 
 /// Whether the way from an eye to a point, in ECEF, crosses the surface at sea level. Below that the surface lies a
-/// metre below the lower of the two, so that the ground which they stand on hides nothing, but no deeper than the Earth's
-/// seas. A weight of 0 is a direction.
+/// metre below the lower of the two, so that the ground which they stand on hides nothing, but no deeper than the
+/// Earth's seas. A weight of 0 is a direction.
 bool earthHides(const Vec3& eye, const Vec4& point);
 
 }  // namespace viewproj::cmd
