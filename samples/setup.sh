@@ -17,7 +17,7 @@ case $part in
   *) echo "setup.sh $part: expected tests, checks or deep" >&2; exit 2 ;;
 esac
 if [ $tests = ON ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev glslang-tools"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev glslang-tools parallel"
   packages="$packages colmap python3-camera-calibration-parsers python3-open3d python3-yaml"
   packages="$packages python3 python3-numpy python3-opencv libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri"
   # node and npm may come from elsewhere.

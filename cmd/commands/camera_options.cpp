@@ -256,15 +256,15 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
   const Handedness world = convention_->convention.world;
   if (!file.isTyped) {
     if (!file.statesConvention && !file.worldIsEcef && world != file.convention.world)
-      note(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
-           "'s is " + hand(world) + "; --read-as " + name + " reads the file so");
+      note(file.name + ": states no convention and is read as " + hand(file.convention.world) + "; " + name + " is " +
+           hand(world) + ", and --read-as " + name + " reads the file so");
     return;
   }
   const ConventionPreset& usual = conventionPresets().front();
   const Vec3 up = convention_->up;
   if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
-    note("the options are read in " + name + "'s world too: " + hand(world) + ", up " + formatNumber(up.x) + "," +
-         formatNumber(up.y) + "," + formatNumber(up.z) + "; if they are not of it, give --read-as opengl");
+    note("the options are read in " + name + "'s world: " + hand(world) + ", up " + formatNumber(up.x) + "," +
+         formatNumber(up.y) + "," + formatNumber(up.z) + "; --read-as opengl reads them in OpenGL's");
 }
 
 }  // namespace viewproj::cmd

@@ -12,23 +12,26 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr std::string_view kPoints = "Points, pixels and the ground", kCameras = "Cameras and matrices",
+                           kMistakes = "What is wrong, and how precise it is", kOther = "Help";
+
 constexpr Command kCommands[] = {
-    {"project", "points to screen positions, depth and visibility", declareProject},
-    {"ray", "pixels to rays, and to the points behind them", declareRay},
-    {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
-    {"matrix", "a camera's matrices in any convention", declareMatrix},
-    {"convert", "cameras as a file of another program, or as ours", declareConvert, 1, true},
-    {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
-    {"info", "what is in a camera file, or what a pasted matrix is", declareInfo},
-    {"footprint", "what each picture shows of the ground: outline, area, pixel size", declareFootprint},
-    {"triangulate", "where the rays of pixels of several cameras meet", declareTriangulate},
-    {"explain", "every stage of one point or pixel, by hand", declareExplain},
-    {"depth", "what a depth buffer resolves at each distance", declareDepth},
-    {"measure", "time and error of every precision on your own points", declareMeasure},
-    {"draw", "an SVG of what the camera sees", declareDraw},
-    {"fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},
-    {"schema", "the JSON Schema of a camera file", declareSchema},
-    {"help", "help on a command or on one of the topics below", declareHelp},
+    {kPoints, "project", "points to screen positions, depth and visibility", declareProject},
+    {kPoints, "ray", "pixels to rays, and to the points behind them", declareRay},
+    {kPoints, "cull", "which points and shapes lie in the view, and which plane decides", declareCull},
+    {kPoints, "triangulate", "where the rays of pixels of several cameras meet", declareTriangulate},
+    {kPoints, "footprint", "what each picture shows of the ground: outline, area, pixel size", declareFootprint},
+    {kPoints, "draw", "an SVG of what the camera sees", declareDraw},
+    {kCameras, "info", "what is in a camera file, or what a pasted matrix is", declareInfo},
+    {kCameras, "matrix", "a camera's matrices in any convention", declareMatrix},
+    {kCameras, "convert", "cameras as a file of another program, or as ours", declareConvert, 1, true},
+    {kCameras, "fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},
+    {kCameras, "schema", "the JSON Schema of a camera file", declareSchema},
+    {kMistakes, "check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
+    {kMistakes, "explain", "every stage of one point or pixel, by hand", declareExplain},
+    {kMistakes, "depth", "what a depth buffer resolves at each distance", declareDepth},
+    {kMistakes, "measure", "time and error of every precision on your own points", declareMeasure},
+    {kOther, "help", "help on a command or on one of the topics below", declareHelp},
 };
 
 /// A command with its options.

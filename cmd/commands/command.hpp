@@ -16,6 +16,7 @@ namespace viewproj::cmd {
 using Action = std::function<int()>;
 
 struct Command {
+  std::string_view task;  ///< what the command is for: a heading of the list
   std::string_view name;
   std::string_view summary;
   /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
@@ -35,7 +36,7 @@ int runCommand(const Command& command, std::span<const std::string> arguments);
 /// COMMAND --help.
 std::string helpOf(const Command& command);
 
-/// viewproj help: the commands and topics, a line each.
+/// viewproj help: the commands by task and the topics, a line each.
 std::string overview();
 
 Action declareProject(CLI::App& app);

@@ -78,7 +78,7 @@ std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
 std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& output) {
   const auto row = std::find_if(writers().begin(), writers().end(), [&](const Writer& w) { return w.name == *o.form; });
   if (row != writers().end() && row->endings == "/" && output == "-")
-    throw UsageError(std::string(row->name) + " has several files; -o FOLDER/ takes them");
+    throw UsageError(std::string(row->name) + " is several files; give a folder: -o FOLDER/");
   const bool needsPicture = row == writers().end() || (row->places & kPosesAlone) == 0;
   std::vector<Chosen> chosen = chosenOf(o, needsPicture);
   if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
@@ -160,8 +160,9 @@ Action declareConvert(CLI::App& app) {
   describe(
       app,
       "Cameras as a file of another program, or as ours (--to camera). Takes all cameras of the files, or those that "
-      "#NAME picks, with options laid over them. What would move a pixel and the file cannot say is refused; what "
-      "moves none is told.",
+      "#NAME picks, with options laid over them. What the file cannot say is an error where it moves a pixel, else "
+      "left out "
+      "with a note.",
       "Examples:\n"
       "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --to opencv\n"

@@ -319,8 +319,8 @@ OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, 
   // The distance is the depth's alone, also of a pixel that the lens does not reach.
   const WorldPoint straight = screenToWorld(withoutLens(camera), pixel, depth);
   if (straight.status == DepthStatus::beyond)
-    throw UsageError("--pixel: depth " + formatNumber(depth) + " lies beyond infinity, whose window depth is " +
-                     formatNumber(ends.atInfinity) + ": no point in front of the eye has it");
+    throw UsageError("--pixel: no point has the window depth " + formatNumber(depth) + ": that of infinity is " +
+                     formatNumber(ends.atInfinity));
   const bool orthographic = projection.isOrthographic(), isInfinite = std::isinf(projection.zFar());
   const double share = (depth - ends.atNear) / (ends.atFar - ends.atNear);
   steps.stage("distance");
@@ -468,7 +468,7 @@ Action declareExplain(CLI::App& app) {
   describe(
       app,
       "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
-      "from, the clip inequalities, NDC, screen, each number with what it is made of.",
+      "from, the clip inequalities, NDC, screen, each number with its formula.",
       "Examples:\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
       "    --viewport 1280x720 --point 1,1,1\n"
@@ -477,7 +477,7 @@ Action declareExplain(CLI::App& app) {
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
-  require(addModel(app, o->model, "Where the point's own coordinates lie"), point);
+  require(addModel(app, o->model, "Where the point's model stands in the world"), point);
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);

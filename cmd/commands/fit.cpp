@@ -81,9 +81,8 @@ Action declareFit(CLI::App& app) {
       app,
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
-      "view changes. Of an orthographic camera width, height, near and far are made to fit, but for those that options "
-      "give; "
-      "with --by size it stays. Writes a camera file.",
+      "view changes. An orthographic camera also gets the width, height, near and far that options do not give; with "
+      "--by size it stays. Writes a camera file.",
       "Examples:\n"
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"

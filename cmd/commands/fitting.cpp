@@ -83,7 +83,7 @@ void Fitting::add(const Triangle& triangle) {
 }
 
 void Fitting::requireSomething() const {
-  if (!(farthest_ >= nearest_)) throw InputError("there is nothing to fit");
+  if (!(farthest_ >= nearest_)) throw InputError("there are no points or shapes to fit");
 }
 
 Document Fitting::byPlace() const {

@@ -58,9 +58,9 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
   const Camera camera = makeCamera(file);
   const Vec3 eye = camera.pose().eye();
   if (!o.height && !o.plane)
-    throw UsageError("--height H or --plane says which ground; the eye's own height is " +
-                     formatDigits(file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z, 6) +
-                     ", and --height 545 is the ground of height 545");
+    throw UsageError("the ground is needed: --height H" + std::string(file.worldIsEcef ? "" : " or --plane") +
+                     "; the eye is at height " +
+                     formatDigits(file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z, 6));
   if (o.plane && file.worldIsEcef)
     throw UsageError(
         "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
@@ -251,7 +251,7 @@ Action declareFootprint(CLI::App& app) {
       addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0");
   CLI::Option* const altitude =
       addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
-               "The same above sea level, which --geoid gives");
+               "The ground above sea level; needs --geoid");
   exclude(plane, height);
   exclude(altitude, height);
   exclude(altitude, plane);

@@ -184,8 +184,12 @@ std::string overview() {
   constexpr std::size_t kColumn = 15;
   std::string out =
       "World points to screen coordinates, pixels to picking rays, cameras to matrices.\n\n"
-      "Usage: viewproj COMMAND [options] [FILE]\n\nCommands:\n";
-  for (const Command& command : allCommands()) out += row(std::string(command.name), command.summary, kColumn);
+      "Usage: viewproj COMMAND [options] [FILE]\n";
+  std::string_view task;
+  for (const Command& command : allCommands()) {
+    if (command.task != task) out += "\n" + std::string(task = command.task) + ":\n";
+    out += row(std::string(command.name), command.summary, kColumn);
+  }
   out += "\nTopics (viewproj help TOPIC):\n";
   for (const Topic& topic : kTopics) out += row(std::string(topic.name), topic.summary(), kColumn);
   return out +

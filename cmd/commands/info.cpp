@@ -352,9 +352,9 @@ int runInfo(const InfoOptions& o) {
 Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   describe(app,
-           "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-           "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table. "
-           "Of matrices, as pasted from code or logs, what each can be, the likeliest first. Angles are in degrees, "
+           "What is in a file: of one camera its eye and axes, fields of view, window, focal length, near and far, "
+           "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table; "
+           "of matrices, as pasted from code or logs, what each can be, the likeliest first. Angles are in degrees, "
            "edges x/z and y/z (lengths in orthographic), all without distortion.",
            "Examples:\n"
            "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"

@@ -202,12 +202,13 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
 
 Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<MatrixOptions>();
-  describe(app,
-           "A camera's matrices in any convention, as JSON, text or code; or pasted matrices, which info tells of, in "
-           "another convention.",
-           "Examples:\n"
-           "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
-           "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
+  describe(
+      app,
+      "A camera's matrices in any convention, as JSON, text or code; or matrices as pasted, as info reads them, in "
+      "another convention.",
+      "Examples:\n"
+      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
+      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
   const auto readNames = [](const std::string& option, const std::string& text) {
     Matrices chosen;
     for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
@@ -225,7 +226,7 @@ Action declareMatrix(CLI::App& app) {
   addFlag(app, "--bake-viewport", o->bakeViewport, "Fold the viewport into the projection");
   CLI::Option* const relative =
       addFlag(app, "--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
-  CLI::Option* const model = addModel(app, o->model, "Place of a model in the world");
+  CLI::Option* const model = addModel(app, o->model, "Where a model stands in the world");
   addFlag(app, "--float", o->asFloat, "Round to float32 (default: doubles)");
   const auto forms = matrixForms();
   refuse(addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format"), "camera",

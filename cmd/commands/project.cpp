@@ -487,7 +487,7 @@ Action declareProject(CLI::App& app) {
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addPrecision(app, o->precision);
-  addModel(app, o->model, "Place in the world of the model that the points are in");
+  addModel(app, o->model, "Where the points' model stands in the world");
   o->camera.add(app);
   o->cameras.add(app, true);
   o->camera.addWriting(app);

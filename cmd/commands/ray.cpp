@@ -58,9 +58,9 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
   if (!hasDepth(camera.projection()))
     throw RecordError(0, "a window depth needs a camera with near; a distance along the viewing axis is viewDistance");
-  throw RecordError(0, "depth " + formatNumber(*pixel.depth) + " lies beyond infinity, whose window depth is " +
+  throw RecordError(0, "no point has the window depth " + formatNumber(*pixel.depth) + ": that of infinity is " +
                            formatNumber(camera.depths().atInfinity) +
-                           ": no point in front of the eye has it; a distance along the viewing axis is viewDistance");
+                           "; a distance along the viewing axis is viewDistance");
 }
 
 struct Casting {
@@ -319,12 +319,12 @@ Action declareRay(CLI::App& app) {
   CLI::Option* const height =
       addValue(app, "--height", "H", o->height,
                numberThat([](double number) { return std::isfinite(number); }, "a height in metres, or a z"),
-               "The surface of this height to hit, or z = H");
+               "Hit the Earth's surface of this height, or z = H");
   exclude(height, scene);
   exclude(height, plane);
   CLI::Option* const altitude = addValue(app, "--altitude", "H", o->altitude,
                                          numberThat([](double number) { return std::isfinite(number); }, "metres"),
-                                         "The same above sea level, which --geoid gives");
+                                         "The same above sea level; needs --geoid");
   for (CLI::Option* const other : {scene, plane, height}) exclude(altitude, other);
   addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
@@ -332,7 +332,7 @@ Action declareRay(CLI::App& app) {
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields,
            withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
-  addModel(app, o->model, "Results in its coordinates");
+  addModel(app, o->model, "Write results in this model's coordinates");
   o->camera.add(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };

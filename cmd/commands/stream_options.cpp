@@ -59,7 +59,8 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
-  addReading(app, what, "Replace each invalid record by an error record and continue; status 1");
+  addReading(app, what,
+             "Write an error record for each bad record and go on (check, draw, fit, measure: leave it out); status 1");
   const OptionGroup group(app, kStreamGroup);
   addForm(app, to_, outputForms(), "Output format", "as the input");
   addDigits(app, digits_, "all that tell the number from others; in tables 9");

@@ -430,7 +430,7 @@ Action declareTriangulate(CLI::App& app) {
       [o](const std::string& option, const std::string& text) {
         o->hasMisses = choose(option, text, Names<bool>{{"misses", true}});
       },
-      "Add the miss of each pixel, given less computed");
+      "Add the miss of each pixel, given minus computed");
   o->stream.add(app, "pixels");
   removeOption(app, "--jobs");
   o->camera.add(app);

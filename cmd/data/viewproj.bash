@@ -3,7 +3,7 @@
 _viewproj() {
   local word=${COMP_WORDS[COMP_CWORD]} words=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="$("$1" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p') --help --version"
+    words="$("$1" --help | sed -n '/^Usage:/,/^Topics/s/^  \([a-z]*\) .*/\1/p') --help --version"
   elif [ "$COMP_CWORD" -eq 2 ] && [ "${COMP_WORDS[1]}" = help ] && [[ $word != -* ]]; then
     words=$("$1" --help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
   elif [[ $word == -* ]]; then

@@ -253,7 +253,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (hasDepths) left.push_back("depthRange");
   if (hasName && lacks(kNamePlace)) left.push_back(cameras.size() == 1 ? "name" : "names");
   const std::string form(writer.name);
-  std::string told = left.empty() ? "" : form + " has no place for " + together(left) + ", left out";
+  std::string told = left.empty() ? "" : form + " has no place for " + together(left) + ": left out";
   if (const double error = lacks(kQuaternions) ? 0 : rotationError(cameras); error > kRounding)
     told += (told.empty() ? form : "; it") + " has quaternions, and a matrix is " + formatDigits(error, 2) +
             " off a rotation: the nearest is written";

@@ -404,7 +404,7 @@ std::span<const CameraMatrix> cameraMatrices() { return kCameraMatrices; }
 NamedMatrix CameraMatrix::make(const MatrixSource& s, bool inverse) const {
   const CameraFile& f = s.file;
   if (!ofCalibration.empty()) {
-    if (inverse) throw UsageError("--inverse is of 4x4 matrices, and not of " + std::string(name));
+    if (inverse) throw UsageError("--inverse is for 4x4 matrices, not for " + std::string(name));
     return calibrationMatrix(*this, s);
   }
   const Space destination = to == Space::clip && s.bakeViewport ? Space::screen : to;

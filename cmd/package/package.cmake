@@ -2,9 +2,11 @@
 # viewproj-VERSION-win64.zip for Windows.
 set(changelog ${PROJECT_SOURCE_DIR}/cmd/package/changelog)
 install(FILES README.md cmd/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES lib/ACCURACY.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/lib)
-install(FILES cmd/README.md cmd/MANUAL.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/cmd)
+install(FILES lib/README.md lib/ACCURACY.md lib/INTEROPERATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/lib)
+install(FILES cmd/README.md cmd/MANUAL.md cmd/QUESTIONS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/cmd)
 install(FILES tests/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests)
+install(FILES tests/importers/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/importers)
+install(FILES tests/rasterisers/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/rasterisers)
 install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN samples/setup.sh EXCLUDE PATTERN samples/run.sh EXCLUDE)
 
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${changelog})

@@ -142,7 +142,7 @@ NumberPlan firstFields(std::size_t count, std::size_t together) {
 [[noreturn]] void failWithCount(const RecordView& record, const std::string& expected) {
   const Schema& schema = *record.schema;
   if (const std::size_t comma = record.text.find(','); schema.form == Form::text && comma != std::string_view::npos)
-    throw RecordError(comma, "has numbers with commas: --from csv");
+    throw RecordError(comma, "has commas between its numbers; --from csv reads them");
   throw RecordError(
       0, "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers") + "; expected " + expected);
 }
@@ -168,7 +168,7 @@ NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) 
   if (schema.size != 3 && !(isJson && schema.size == 4))
     failWithCount(record, std::string("x y z") +
                               (isJson            ? " or x y z w"
-                               : schema.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
+                               : schema.size > 3 ? "; --columns 1,2,3 picks three, x,y,z,w takes four"
                                                  : "") +
                               matrix);
   if (reading.worldIsEcef && schema.size == 3 && !isBinary(schema.form))
@@ -226,7 +226,7 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
     for (const Coordinate* row : allCoordinates())
       if (row->form != CoordinateForm::array && sameButForCase(row->name, schema.names[condition.field]))
         throw RecordError(record.offset(condition.field), std::string(row->name) + ": expected " + exampleOf(*row));
-  const char* const choose = csv ? "; --columns names the others" : "";
+  const char* const choose = csv ? "; --columns names all of them" : "";
   for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
     if (const std::string part = missingParts(*row, schema); !part.empty()) throw RecordError(0, part + choose);
   if (csv)
@@ -269,7 +269,7 @@ NumberPlan findBarePixel(const RecordView& record) {
   const bool isJson = schema.form == Form::json;
   if (schema.size != 2 && schema.size != 3)
     failWithCount(record, std::string(isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
-                              (schema.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
+                              (schema.size > 3 && !isJson ? "; --columns 1,2 picks two" : ""));
   NumberPlan plan = firstFields(schema.size, isJson ? 0 : 2);
   if (schema.size == 3) plan.kind = depthKnown;
   return plan;

@@ -197,8 +197,8 @@ const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::si
   if (!which || !isPicked_[*which])
     throw RecordError(
         offset, label + (name.empty() ? "names no camera"
-                                      : "none, or more than one, of the cameras of " + setup_.cameras->name() + " is " +
-                                            inQuotes(name) + "; viewproj info lists them"));
+                                      : "no camera of " + setup_.cameras->name() + " is called " + inQuotes(name) +
+                                            ", or several are; viewproj info lists them"));
   try {
     return cameraOf(*which);
   } catch (const InputError& e) {

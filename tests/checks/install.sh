@@ -102,10 +102,18 @@ done
 DESTDIR=$work/staged cmake --install "$build" --prefix /opt/viewproj >/dev/null
 expect_files "$work/staged/opt/viewproj"
 
+echo '== pages'
+cd "$work/prefix/share/doc/viewproj"
+grep -rlF '](' --include='*.md' . >"$work/pages"
+while IFS= read -r page; do
+  sh "$source/tests/cmd/page.sh" "$work/prefix/bin/viewproj" "$page" >"$work/log" || fail "an installed page: $(cat "$work/log")"
+done <"$work/pages"
+cd "$source"
+
 echo '== manual page'
 gzip -dc "$work/prefix/share/man/man1/viewproj.1.gz" >"$work/viewproj.1"
 mandoc -Tlint -Wwarning "$work/viewproj.1"
-for command in $("$work/prefix/bin/viewproj" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+for command in $("$work/prefix/bin/viewproj" --help | sed -n '/^Usage:/,/^Topics/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   grep -qF "\\fB$command\\fR" "$work/viewproj.1" || fail "the manual page does not name $command"
 done
 

@@ -47,7 +47,7 @@ shows() {
 }
 
 ran=0
-for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+for command in $(viewproj --help | sed -n '/^Usage:/,/^Topics/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   # Each in a folder of its own, so that what it writes is seen.
   mkdir "$work/of-$command"
   cd "$work/of-$command"

@@ -39,10 +39,18 @@ fi
 
 folder=$(dirname "$page")
 # shellcheck disable=SC2016  # backquotes of Markdown
-sed 's/`[^`]*`//g; s/](\([^)#]*\)/\n](\1\n/g' "$page" | sed -n 's/^](//p' | sort -u >"$work/links"
+sed 's/`[^`]*`//g; s/](\([^)]*\)/\n](\1\n/g' "$page" | sed -n 's/^](//p' | sort -u >"$work/links"
 while IFS= read -r link; do
   case $link in http*) continue ;; esac
-  [ -e "$folder/$link" ] || { echo "$page links to $link, which is not there"; exit 1; }
+  file=${link%%#*}
+  target=$folder/$file
+  if [ -z "$file" ]; then target=$page; fi
+  [ -e "$target" ] || { echo "$page links to $link, which is not there"; exit 1; }
+  # A heading is named by its words, in lower case, with hyphens between.
+  case $link in
+    *"#"*) sed -n 's/^##* //p' "$target" | tr 'A-Z ' 'a-z-' | tr -cd 'a-z0-9_\n-' | grep -qx -- "${link#*#}" ||
+      { echo "$page links to $link, which is no heading"; exit 1; } ;;
+  esac
 done <"$work/links"
 [ -s "$work/commands" ] || [ -s "$work/links" ] || { echo "$page has neither commands nor links"; exit 1; }
 echo "$page: $(wc -l <"$work/commands") commands print what it shows, $(wc -l <"$work/links") links lead somewhere"
