@@ -75,7 +75,8 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
                      (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
                      "; no outline has a size there");
   if (ground->rise < 0)
-    note("the eye is below --height " + formatNumber(*o.height) + ": the ground is seen from below");
+    note((name.empty() ? "" : name + ": ") + "the eye is " + formatDigits(-ground->rise, 4) +
+         " m under the ground of height " + formatNumber(*o.height) + ", and sees it from below");
   return {name.empty() ? OrderedJson() : OrderedJson(name),
           o.height ? OrderedJson{{"height", *o.height}} : OrderedJson{{"plane", pointAndNormal(plane)}},
           file.worldIsEcef ? o.height : std::nullopt, eye,
