@@ -10,6 +10,7 @@
 #include "picture/flat.hpp"
 #include "picture/picture.hpp"
 #include "picture/rim.hpp"
+#include "picture/sphere_tree.hpp"
 #include "random.hpp"
 #include "viewproj/lens.hpp"
 
@@ -331,4 +332,39 @@ TEST_CASE("The rim of a picture is its edge, and the end of the lens where that 
         }
       }
   CHECK(std::min({drawnIn, seen, blind}) > 2000);
+}
+
+TEST_CASE("A tree of spheres forgets none that a ray hits, and asks few") {
+  std::size_t hits = 0, asked = 0, rays = 0;
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    Random random(trial);
+    const auto somewhere = [&](double size) {
+      return Vec3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+    };
+    std::vector<Sphere> spheres;
+    for (unsigned i = 0; i < 3 * trial; ++i) spheres.push_back({somewhere(10), random.uniform(0, 0.5)});
+    if (trial % 7 == 6) spheres.push_back({{}, HUGE_VAL});
+    const SphereTree tree(spheres);
+    for (int k = 0; k < 20; ++k, ++rays) {
+      const Vec3 from = somewhere(k % 2 == 0 ? 12 : 300), to = somewhere(10);
+      const double away = std::hypot(to.x - from.x, to.y - from.y, to.z - from.z);
+      const Ray ray{from, {(to.x - from.x) / away, (to.y - from.y) / away, (to.z - from.z) / away}};
+      const double farthest = k % 3 == 0 ? HUGE_VAL : away;
+      std::vector<bool> isAsked(spheres.size());
+      CHECK_FALSE(tree.any(ray, farthest, [&](std::size_t i) {
+        CHECK(!isAsked[i]);
+        isAsked[i] = true;
+        ++asked;
+        return false;
+      }));
+      for (std::size_t i = 0; i < spheres.size(); ++i) {
+        const Hits found = std::isfinite(spheres[i].radius) ? intersect(ray, spheres[i]) : Hits{};
+        const bool isHit = !std::isfinite(spheres[i].radius) || (found.count > 0 && found.hits[0].distance <= farthest);
+        hits += isHit;
+        if (isHit) CHECK(isAsked[i]);
+      }
+    }
+  }
+  CHECK(hits > 300);
+  CHECK(asked < 3 * hits + rays);
 }
