@@ -5,6 +5,7 @@
 #include "camera/values.hpp"
 #include "commands/check/report.hpp"
 #include "commands/command.hpp"
+#include "commands/ground_height.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "picture/ground.hpp"
@@ -26,7 +27,7 @@ struct DrawOptions {
   std::vector<Vec2> pixels;
   std::optional<std::string> scene, photo, title;
   std::vector<std::string> labels;
-  std::optional<double> height;
+  GroundHeight height;
   bool hasStems = false;
 };
 
@@ -179,15 +180,11 @@ class PictureRecords {
   std::size_t count_ = 0;
 };
 
-std::vector<SceneObject> shapesOf(const DrawOptions& o, bool worldIsEcef) {
+std::vector<SceneObject> shapesOf(const DrawOptions& o, const CameraFile& camera) {
   std::vector<SceneObject> shapes;
-  if (o.scene) shapes = readScene(*o.scene, worldIsEcef);
+  if (o.scene) shapes = readScene(*o.scene, camera.worldIsEcef);
   for (SceneObject& shape : shapes) shape.id = labelOfJson(shape.id);
-  if (!o.height) return shapes;
-  if (worldIsEcef)
-    shapes.push_back({"ground", HeightSurface{*o.height}});
-  else
-    shapes.push_back({"ground", Plane{{0, 0, *o.height}, {0, 0, 1}}});
+  if (o.height.isTyped()) shapes.push_back(o.height.surface("ground", camera.worldIsEcef, &camera));
   return shapes;
 }
 
@@ -205,7 +202,7 @@ int runDraw(const DrawOptions& o) {
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   PictureContent content{.title = titleOf(o, file),
                          .worldIsEcef = file.worldIsEcef,
-                         .shapes = shapesOf(o, file.worldIsEcef),
+                         .shapes = shapesOf(o, file),
                          .pixels = o.pixels,
                          .hasStems = o.hasStems};
   if (o.hasStems && std::none_of(content.shapes.begin(), content.shapes.end(), isGround))
@@ -222,10 +219,8 @@ Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<DrawOptions>();
   describe(
       app,
-      "An SVG of what the camera sees. Points have their id, name or number; hidden ones are hollow. Edges of shapes "
-      "are "
-      "dashed where a shape hides them. A point with a pixel beside it, as check reads it, has an arrow from there to "
-      "the computed pixel.",
+      "An SVG of what the camera sees. Points have their id, name or number. Hidden points are hollow, hidden edges "
+      "dashed. A point with a pixel, as check reads it, has an arrow from there to the computed one.",
       "Examples:\n"
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
@@ -234,10 +229,7 @@ Action declareDraw(CLI::App& app) {
   o->stream.addPoints(app);
   addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "A pixel to mark, with what it hits");
   CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw");
-  exclude(addValue(app, "--height", "H", o->height,
-                   numberThat([](double h) { return h >= kLeastCrossedHeight; }, "a height"),
-                   "The ground at this height: z = H, or the Earth's"),
-          scene);
+  o->height.add(app, "The ground at this height: z = H, or the Earth's", {scene});
   addFlag(app, "--stems", o->hasStems, "A line from each point down to the ground");
   addOption(
       app, "--label", "NAMES",

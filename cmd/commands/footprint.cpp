@@ -8,6 +8,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/geojson.hpp"
+#include "commands/ground_height.hpp"
 #include "commands/outline.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
@@ -25,7 +26,8 @@ enum class FootprintForm : std::uint8_t { table, json, csv, geojson };
 
 struct FootprintOptions {
   CameraOptions camera;
-  std::optional<double> height, altitude, most, error;
+  GroundHeight height;
+  std::optional<double> most, error;
   std::optional<PlaneEquation> plane;
   FootprintForm form = FootprintForm::table;
   std::optional<std::size_t> digits;
@@ -53,11 +55,10 @@ OrderedJson pointAndNormal(const PlaneEquation& plane) {
   return {{"point", asJson(scaled(n, -plane.offset / detail::dot(n, n)))}, {"normal", asJson(n)}};
 }
 
-/// The plane z = H in a local world.
 Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const std::string& name) {
   const Camera camera = makeCamera(file);
   const Vec3 eye = camera.pose().eye();
-  if (!o.height && !o.plane)
+  if (!o.height.isTyped() && !o.plane)
     throw UsageError("the ground is needed: --height H" + std::string(file.worldIsEcef ? "" : " or --plane") +
                      "; the eye is at height " +
                      formatDigits(file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z, 6));
@@ -68,17 +69,19 @@ Footprint footprintOf(const FootprintOptions& o, const CameraFile& file, const s
     file.fail("an outline on the Earth needs a perspective camera, and that of " + file.name + " is orthographic");
   if (!file.worldIsEcef && o.form == FootprintForm::geojson)
     file.fail("GeoJSON has longitudes and latitudes only, and the camera of " + file.name + " is not on the Earth");
-  const PlaneEquation plane = o.plane.value_or(PlaneEquation{{0, 0, 1}, -o.height.value_or(0)});
-  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{*o.height}}, eye) : groundOf({"", plane}, eye);
+  const double height = o.plane ? 0 : o.height.of(file.worldIsEcef, &file);
+  const auto ground =
+      groundOf(o.plane ? SceneObject{"", *o.plane} : o.height.surface("", file.worldIsEcef, &file), eye);
   if (ground->holdsEye)
     throw InputError("the eye is on the " +
-                     (file.worldIsEcef ? "surface of height " + formatNumber(*o.height) : std::string("plane")) +
+                     (file.worldIsEcef ? "surface of height " + formatNumber(height) : std::string("plane")) +
                      "; no outline has a size there");
   if (ground->rise < 0)
-    note("the eye is below --height " + formatNumber(*o.height) + ": the ground is seen from below");
+    note((name.empty() ? "" : name + ": ") + "the eye is " + formatDigits(-ground->rise, 4) +
+         " m under the ground of height " + formatNumber(height) + ", and sees it from below");
   return {name.empty() ? OrderedJson() : OrderedJson(name),
-          o.height ? OrderedJson{{"height", *o.height}} : OrderedJson{{"plane", pointAndNormal(plane)}},
-          file.worldIsEcef ? o.height : std::nullopt, eye,
+          o.plane ? OrderedJson{{"plane", pointAndNormal(*o.plane)}} : OrderedJson{{"height", height}},
+          file.worldIsEcef ? std::optional(height) : std::nullopt, eye,
           outlineOf(camera, *ground, o.most.value_or(HUGE_VAL), o.error.value_or(0))};
 }
 
@@ -215,9 +218,7 @@ int runFootprint(const FootprintOptions& o) {
       try {
         const CameraFile file = o.camera.readOne(*cameras, i);
         if (!file.isTyped) place = file.name + ": ";
-        FootprintOptions here = o;
-        if (o.altitude) here.height = heightOfAltitude(file, *o.altitude);
-        writer.write(footprintOf(here, file, cameras->nameOf(i, file.document)));
+        writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
       } catch (const InputError& e) {
         const std::string message = e.what();
         complain(message.starts_with(place) ? message : place + message);
@@ -243,18 +244,9 @@ Action declareFootprint(CLI::App& app) {
       "  viewproj footprint --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --plane z=0 --max-distance 50 --to csv");
   const auto aboveZero = [](double number) { return number > 0 && std::isfinite(number); };
-  CLI::Option* const height =
-      addValue(app, "--height", "H", o->height,
-               numberThat([](double number) { return std::isfinite(number); }, "a height in metres, or a z"),
-               "The ground: the Earth's surface of this height, or z = H");
   CLI::Option* const plane =
       addValue(app, "--plane", "z=0|A,B,C,D", o->plane, readPlaneArgument, "The ground: x=, y=, z= or ax+by+cz+d=0");
-  CLI::Option* const altitude =
-      addValue(app, "--altitude", "H", o->altitude, numberThat([](double h) { return std::isfinite(h); }, "metres"),
-               "The ground above sea level; needs --geoid");
-  exclude(plane, height);
-  exclude(altitude, height);
-  exclude(altitude, plane);
+  o->height.add(app, "The ground: the Earth's surface of this height, or z = H", {plane});
   addValue(app, "--max-distance", "D", o->most, numberThat(aboveZero, "a distance above 0"),
            "What is farther from the eye is cut (default: nothing)");
   addValue(app, "--error", "E", o->error, numberThat(aboveZero, "a distance above 0"),

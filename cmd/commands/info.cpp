@@ -8,8 +8,10 @@
 #include "camera/plain_camera.hpp"
 #include "camera/read_lens.hpp"
 #include "camera/read_pose.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "commands/ground_height.hpp"
 #include "commands/matrix_report.hpp"
 #include "commands/outline.hpp"
 #include "commands/world_options.hpp"
@@ -204,13 +206,13 @@ OrderedJson cameraRow(const std::string& name, const Document& document, const N
 
 /// Of the ground of a height: how far below level it is at the camera's heading, in degrees, and how far away; and its
 /// pixels. Null from below the ground.
-OrderedJson horizonOf(const CameraFile& file, double height) {
+OrderedJson horizonOf(const CameraFile& file, const GroundHeight& typed) {
   requireUp(file, "--height");
+  const double height = typed.of(file.worldIsEcef, &file);
   if (!file.pose) return nullptr;
   const Vec3 eye = file.pose->eye();
   if (!((file.worldIsEcef ? ecefToGeodetic(eye).height : eye.z) > height)) return nullptr;
-  const auto ground = file.worldIsEcef ? groundOf({"", HeightSurface{height}}, eye)
-                                       : groundOf({"", PlaneEquation{{0, 0, 1}, -height}}, eye);
+  const auto ground = groundOf(typed.surface("", file.worldIsEcef, &file), eye);
   const double degrees = headingPitchRollOf(plainPose(*file.pose), file.worldIsEcef).heading.value;
   const double heading = degrees * std::numbers::pi / 180;
   const auto limit = ground->farthest(heading, std::numeric_limits<double>::infinity());
@@ -220,15 +222,20 @@ OrderedJson horizonOf(const CameraFile& file, double height) {
     for (std::size_t i = 0; i < found.size(); ++i)
       if (found[i]) pixels[i] = asJson(*found[i]);
   }
-  return {{"height", height},
-          {"dip", 0 - limit->elevation * 180 / std::numbers::pi},
-          {"distance", limit->distance},
-          {"pixels", pixels}};
+  OrderedJson horizon{{"height", height}};
+  if (file.worldIsEcef && hasGeoid()) {
+    const Geodetic place = ecefToGeodetic(eye);
+    horizon["altitude"] = height - seaLevelAt(place.lat, place.lon);
+  }
+  horizon["dip"] = 0 - limit->elevation * 180 / std::numbers::pi;
+  horizon["distance"] = limit->distance;
+  horizon["pixels"] = pixels;
+  return horizon;
 }
 
 struct InfoOptions {
   CameraOptions camera;
-  std::optional<double> height;
+  GroundHeight height;
   std::optional<std::vector<double>> at;
   std::vector<ReadingKind> which;
   const NameRow<EulerOrder>* angles = nullptr;
@@ -290,7 +297,7 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
 int runCamera(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
   if (cameras->chooseAll(pick).size() > 1) {
-    if (o.height) throw UsageError("--height tells the horizon of one camera; FILE#NAME picks it");
+    if (o.height.isTyped()) throw UsageError("--height tells the horizon of one camera; FILE#NAME picks it");
     return runList(o, *cameras, pick);
   }
   const std::size_t which = cameras->chooseAll(pick).front();
@@ -303,7 +310,7 @@ int runCamera(const InfoOptions& o) {
     if (!(distance > 0)) throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0");
   OrderedJson info = infoReport(file, cameras->nameOf(which), distances);
   if (o.angles) info["angles"] = anglesOf(*o.angles, readValues(file.document), *file.preset, file.pose);
-  if (o.height) info["horizon"] = horizonOf(file, *o.height);
+  if (o.height.isTyped()) info["horizon"] = horizonOf(file, o.height);
   o.report.write(info);
   return 0;
 }
@@ -315,7 +322,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height;
+  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height.isTyped();
   if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
     return writeProposal(o, proposal);
   const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
@@ -331,7 +338,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
 int runInfo(const InfoOptions& o) {
   constexpr std::size_t kMostBytes = 1 << 20;
   if (!o.which.empty()) {
-    if (o.camera.changesCamera() || o.at || o.angles || o.height)
+    if (o.camera.changesCamera() || o.at || o.angles || o.height.isTyped())
       throw UsageError("--which is for matrices, and the other options for a camera");
     const auto name = o.camera.file();
     if (!name) throw UsageError("--which needs a FILE with matrices");
@@ -342,7 +349,7 @@ int runInfo(const InfoOptions& o) {
   } catch (const UnknownFile& unknown) {
     return runUnknown(o, unknown);
   } catch (const UnknownFormat& e) {
-    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles || o.height) throw;
+    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles || o.height.isTyped()) throw;
     return runMatrices(o, e.text, e.what());
   }
 }
@@ -361,10 +368,8 @@ Action declareInfo(CLI::App& app) {
            "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
            "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
-           "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
-  addValue(app, "--height", "H", o->height,
-           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
-           "Tell the horizon of this height too, or of z = H");
+           "Distances of pixel sizes (default: 1,10,100,target)");
+  o->height.add(app, "Tell the horizon of this height too, or of z = H");
   addOption(
       app, "--which", "KINDS",
       [o](const std::string& option, const std::string& text) {

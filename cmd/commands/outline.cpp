@@ -298,8 +298,15 @@ class Tracer {
     Traced traced{error};
     for (const Curve& c : ring)
       halve(c, c.from, c.to, c.first, c.last, middleOf(c, c.from, c.to, c.first, c.last), 0, traced);
+    auto& vertices = traced.vertices;
+    if (vertices.size() > 1 && areOne(vertices.back(), vertices.front(), error)) vertices.pop_back();
     traced.area = ground_.areaOf(traced.sum, traced.turn);
     return traced;
+  }
+  /// As where the rim stays at one end of the lens.
+  static bool areOne(const OutlineVertex& a, const OutlineVertex& b, double error) {
+    constexpr double kShare = 1e-3;
+    return std::isfinite(error) && apart(a.point, b.point) <= kShare * error;
   }
 
   /// Halves a curve until its quarters lie on the line that a map draws.
@@ -325,7 +332,7 @@ class Tracer {
     if (traced.vertices.size() >= kMostVertices)
       throw InputError("an outline within " + formatNumber(traced.error) +
                        " has more than a million vertices; --error takes a larger distance");
-    traced.vertices.push_back(p);
+    if (traced.vertices.empty() || !areOne(traced.vertices.back(), p, traced.error)) traced.vertices.push_back(p);
     addArea(p, l.vertex, m.vertex, traced);
     addArea(m.vertex, n.vertex, q, traced);
   }

@@ -7,6 +7,7 @@
 #include "camera/plain_vectors.hpp"
 #include "camera/sea_level.hpp"
 #include "commands/command.hpp"
+#include "commands/ground_height.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
@@ -234,7 +235,7 @@ struct Options {
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene, model;
   std::vector<PlaneEquation> planes;
-  std::optional<double> height, altitude;
+  GroundHeight height;
   bool allHits = false;
 };
 
@@ -261,7 +262,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
 }
 
 int run(const Options& o) {
-  const bool hasScene = o.scene || !o.planes.empty() || o.height || o.altitude;
+  const bool hasScene = o.scene || !o.planes.empty() || o.height.isTyped();
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene, --plane or --height");
   StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
@@ -284,10 +285,7 @@ int run(const Options& o) {
           "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
-    if (o.altitude && !cameras.first()) throw UsageError("--altitude needs one camera, or cameras that -c holds");
-    if (o.altitude) how.scene->push_back({"0", HeightSurface{heightOfAltitude(*cameras.first(), *o.altitude)}});
-    if (o.height && worldIsEcef) how.scene->push_back({"0", HeightSurface{*o.height}});
-    if (o.height && !worldIsEcef) how.scene->push_back({"0", PlaneEquation{{0, 0, 1}, -*o.height}});
+    if (o.height.isTyped()) how.scene->push_back(o.height.surface("0", worldIsEcef, cameras.first()));
     for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
@@ -316,16 +314,7 @@ Action declareRay(CLI::App& app) {
   CLI::Option* const scene = addScene(app, o->scene, "Shapes to hit");
   CLI::Option* const plane =
       addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
-  CLI::Option* const height =
-      addValue(app, "--height", "H", o->height,
-               numberThat([](double number) { return std::isfinite(number); }, "a height in metres, or a z"),
-               "Hit the Earth's surface of this height, or z = H");
-  exclude(height, scene);
-  exclude(height, plane);
-  CLI::Option* const altitude = addValue(app, "--altitude", "H", o->altitude,
-                                         numberThat([](double number) { return std::isfinite(number); }, "metres"),
-                                         "The same above sea level; needs --geoid");
-  for (CLI::Option* const other : {scene, plane, height}) exclude(altitude, other);
+  o->height.add(app, "Hit the Earth's surface of this height, or z = H", {scene, plane});
   addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());

@@ -48,7 +48,7 @@ void fillConvex(const Drawing& drawing, Layer layer, const std::string& style, c
 // grounds.cpp
 
 /// Of each plane and surface of the Earth a tint, the horizon and a grid; from the points, stems down to the first.
-void drawGrounds(const Drawing& drawing, const std::vector<NamedPoint>& withStems);
+void drawGrounds(Drawing& drawing, const std::vector<NamedPoint>& withStems);
 
 // marks.cpp
 

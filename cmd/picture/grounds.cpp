@@ -146,7 +146,7 @@ void drawHorizon(const Drawing& drawing, const Ground& ground) {
 
 }  // namespace
 
-void drawGrounds(const Drawing& drawing, const std::vector<NamedPoint>& withStems) {
+void drawGrounds(Drawing& drawing, const std::vector<NamedPoint>& withStems) {
   constexpr double kOfStem = 0.5;
   const View& view = drawing.view;
   bool isFirst = true;
@@ -162,6 +162,7 @@ void drawGrounds(const Drawing& drawing, const std::vector<NamedPoint>& withStem
     }
     isFirst = false;
     const bool isUnder = ground->isOnEarth && ground->rise < 0;
+    if (isUnder) drawing.notes.push_back("the eye is under " + shape.id);
     if (isUnder || (ground->holdsEye && !view.isParallel())) continue;
     drawHorizon(drawing, *ground);
     const auto width = widthBelow(view, *ground);

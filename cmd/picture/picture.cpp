@@ -6,12 +6,19 @@
 namespace viewproj::cmd {
 namespace {
 
+/// The end of the lens a little nearer to its axis, so that there is a ray.
 std::vector<Vec2> rimOf(const View& view) {
   constexpr int kOfLens = 256;
+  constexpr double kNearer = 1e-7;
   const int count = view.hasLens() ? kOfLens : 4;
   const Rim rim(view.camera());
+  const auto axis = view.pixelOf(directionOf(view.camera().pose().forward()));
   std::vector<Vec2> places;
-  for (int k = 0; k < count; ++k) places.push_back(view.onSheet(rim.at(4.0 * k / count).pixel));
+  for (int k = 0; k < count; ++k) {
+    const Rim::Place place = rim.at(4.0 * k / count);
+    const Vec2 at = view.onSheet(place.pixel);
+    places.push_back(place.isDrawnIn && axis ? between(at, *axis, kNearer) : at);
+  }
   return places;
 }
 

@@ -169,7 +169,7 @@ void nameShape(Drawing& drawing, const SceneObject& shape, const Pieces& pieces,
       !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.isHidden; });
   Pieces shown = pieces;
   std::erase_if(shown, [&](const Piece& piece) { return piece.isHidden != isFaint; });
-  const auto isOn = [&](double x, double y) { return view.shapeAt({x, y}) == &shape; };
+  const auto isOn = [&](double x, double y) { return view.isSeenAt({x, y}, shape); };
   const Vec2 center = middleOf(view.frame());
   if (pieces.empty() && !isOn(center.x, center.y)) return addOutside(drawing, shape.id, pointOf(middleOfShape));
   const Rect seen = pieces.empty() ? view.frame() : boundsOf(pointsOf(shown));  // it may be around the eye

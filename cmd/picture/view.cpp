@@ -66,7 +66,9 @@ View::View(const Camera& camera, std::vector<SceneObject> shapes, bool worldIsEc
   const double top = isFromTop() ? kHead : kHeadWithoutTicks;
   scale_ = kLonger / std::max(width, height);
   frame_ = {kLeft, top, kLeft + width * scale_, top + height * scale_};
-  for (const SceneObject& shape : shapes_) around_.push_back(sphereAround(shape));
+  std::vector<Sphere> around;
+  for (const SceneObject& shape : shapes_) around.push_back(sphereAround(shape));
+  tree_ = SphereTree(std::move(around));
 }
 
 Vec2 View::onSheet(const Vec2& screen) const {
@@ -95,10 +97,6 @@ std::optional<Vec2> View::place(const Vec4& point, Extent extent) const {
 Ray View::rayAt(const Vec2& at) const { return screenToRay(camera_, offSheet(at), RayOrigin::nearPlane); }
 
 double View::distanceTo(std::size_t shape, const Ray& ray) const {
-  constexpr double kMore = 1e-9;
-  const auto& [center, radius] = around_[shape];
-  const Vec3 way = sum(center, -1, ray.origin), aside = crossOf(way, ray.direction);
-  if (dot(aside, aside) > radius * radius * (1 + kMore) + kMore * kMore * dot(way, way)) return HUGE_VAL;
   const Hits hits = hitsOf(ray, shapes_[shape]);
   return hits.count > 0 ? hits.hits[0].distance : HUGE_VAL;
 }
@@ -108,18 +106,25 @@ bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) c
   if (worldIsEcef_ && earthHides(eye_, pointOf(point))) return true;
   const Ray ray = rayAt(at);
   const double away = apart(point, ray.origin) * kNearer;
-  for (std::size_t i = 0; i < shapes_.size(); ++i)
-    if (&shapes_[i] != except && distanceTo(i, ray) < away) return true;
-  return false;
+  return tree_.any(ray, away, [&](std::size_t i) { return &shapes_[i] != except && distanceTo(i, ray) < away; });
 }
 
 const SceneObject* View::shapeAt(const Vec2& at) const {
   const Ray ray = rayAt(at);
-  const SceneObject* nearest = nullptr;
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < shapes_.size(); ++i)
-    if (const double away = distanceTo(i, ray); away < least) least = away, nearest = &shapes_[i];
-  return nearest;
+  std::pair nearest{HUGE_VAL, shapes_.size()};  // of equal ones the first
+  tree_.any(ray, HUGE_VAL, [&](std::size_t i) {
+    if (const double away = distanceTo(i, ray); away < HUGE_VAL) nearest = std::min(nearest, {away, i});
+    return false;
+  });
+  return nearest.second < shapes_.size() ? &shapes_[nearest.second] : nullptr;
+}
+
+bool View::isSeenAt(const Vec2& at, const SceneObject& shape) const {
+  const Ray ray = rayAt(at);
+  const auto own = static_cast<std::size_t>(&shape - shapes_.data());
+  const double away = distanceTo(own, ray);
+  return away < HUGE_VAL &&
+         !tree_.any(ray, away, [&](std::size_t i) { return std::pair(distanceTo(i, ray), i) < std::pair(away, own); });
 }
 
 std::vector<Vec3> cornersOf(const SceneObject& shape) {

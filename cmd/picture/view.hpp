@@ -6,6 +6,7 @@
 
 #include "camera/plain_vectors.hpp"
 #include "picture/flat.hpp"
+#include "picture/sphere_tree.hpp"
 #include "records/scene.hpp"
 #include "viewproj/lens.hpp"
 
@@ -52,6 +53,8 @@ class View {
   bool hides(const Vec3& point, const Vec2& at, const SceneObject* except = nullptr) const;
   /// The shape that is seen there.
   const SceneObject* shapeAt(const Vec2& at) const;
+  /// Whether it is this one.
+  bool isSeenAt(const Vec2& at, const SceneObject& shape) const;
 
   /// The largest angle between the viewing axis and what the picture shows, in radians.
   double reach() const { return reach_; }
@@ -70,7 +73,7 @@ class View {
   double scale_, reach_;
   Rect frame_;
   Frustum frustum_;
-  std::vector<Sphere> around_;  ///< the shapes; infinite if they are
+  SphereTree tree_;  ///< of the shapes
 };
 
 /// The corners of a box, in the order of the bits of x, y and z, or of a triangle; none of other shapes.

@@ -2,11 +2,15 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <regex>
 #include <sstream>
 
 #include "catch.hpp"
+#include "picture/flat.hpp"
 #include "picture/picture.hpp"
+#include "picture/rim.hpp"
+#include "picture/sphere_tree.hpp"
 #include "random.hpp"
 #include "viewproj/lens.hpp"
 
@@ -280,4 +284,87 @@ TEST_CASE("The grid of a plane whose coordinates are beyond whole doubles ends")
                                    orthographicHeight(0.001, viewport, -100, 100), viewport);
   const Plane plane{{-9, 1e90, 4}, {-2.6, 5e-324, 9.2}};
   CHECK(pictureOf(camera, {.title = "", .shapes = {{"far", plane}}}).ends_with("</svg>\n"));
+}
+
+TEST_CASE("The rim of a picture is its edge, and the end of the lens where that comes before") {
+  const Viewport viewport{.width = 640, .height = 480};
+  const Lens lenses[] = {brownLens({-0.5}),
+                         brownLens({2e-4, 1e-4}, {-0.283, 0.0739}),
+                         brownLens({0.1}, {}, 0.5),
+                         fisheyeLens({0, 0, 0, 0}),
+                         fisheyeLens({-0.1, 0, 0, 0}),
+                         unifiedLens(0.6),
+                         doubleSphereLens(-0.2, 0.55),
+                         omniLens(1.5, {-0.1, 0.01}, {0.001, 0.002}),
+                         fovLens(0.9)};
+  int drawnIn = 0, seen = 0, blind = 0;
+  for (const Lens& lens : lenses)
+    for (const double focal : {150.0, 400.0})
+      for (const Vec2& principal : {Vec2{320, 240}, Vec2{100, 400}, Vec2{-200, 240}, Vec2{900, -300}}) {
+        const Projection file = intrinsics(focal, 1.3 * focal, principal.x, principal.y, viewport, 0, kInfiniteFar);
+        const Pose pose = lookAlong({3, 1, 2}, {0.3, -0.5, -1}, {0, 1, 0.2}, Handedness::right);
+        const Camera camera = withLens(makeCamera(pose, calibrated(file, lens), viewport), lens);
+        const Rim rim(camera);
+        const double widest = lens.model() == LensModel::brown ? 90 : 180;
+        const double end = std::min(lens.limitDegrees(), widest) * std::numbers::pi / 180;
+        const Vec2 inmost{std::clamp(principal.x, 0.0, 640.0), std::clamp(principal.y, 0.0, 480.0)};
+        for (int i = 0; i < 400; ++i) {
+          const double s = i / 100.0;
+          const int side = i / 100;
+          const Vec2 edge = between(rim.corner(side), rim.corner(side + 1), s - side);
+          const bool hasRay = std::isfinite(screenToRay(camera, edge).direction.x);
+          const Rim::Place place = rim.at(s);
+          INFO("lens " << &lens - lenses << ", focal length " << focal << ", s " << s);
+          if (!std::isfinite(place.ray.direction.x)) {
+            ++blind;
+            CHECK(!hasRay);
+            continue;
+          }
+          CHECK(place.isDrawnIn != hasRay);
+          ++(place.isDrawnIn ? drawnIn : seen);
+          if (!place.isDrawnIn) continue;
+          const Vec3 &way = place.ray.direction, forward = pose.forward();
+          const double cosine = way.x * forward.x + way.y * forward.y + way.z * forward.z;
+          CHECK(std::acos(std::clamp(cosine, -1.0, 1.0)) == Approx(end).margin(1e-7));
+          CHECK(distanceToSegment(place.pixel, inmost, edge) < 1e-9);
+          const ScreenPoint back = worldToScreen(camera, Vec4{way.x, way.y, way.z, 0});
+          if (end < 3) CHECK(distance({back.x, back.y}, place.pixel) < 1e-6);
+        }
+      }
+  CHECK(std::min({drawnIn, seen, blind}) > 2000);
+}
+
+TEST_CASE("A tree of spheres forgets none that a ray hits, and asks few") {
+  std::size_t hits = 0, asked = 0, rays = 0;
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    Random random(trial);
+    const auto somewhere = [&](double size) {
+      return Vec3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+    };
+    std::vector<Sphere> spheres;
+    for (unsigned i = 0; i < 3 * trial; ++i) spheres.push_back({somewhere(10), random.uniform(0, 0.5)});
+    if (trial % 7 == 6) spheres.push_back({{}, HUGE_VAL});
+    const SphereTree tree(spheres);
+    for (int k = 0; k < 20; ++k, ++rays) {
+      const Vec3 from = somewhere(k % 2 == 0 ? 12 : 300), to = somewhere(10);
+      const double away = std::hypot(to.x - from.x, to.y - from.y, to.z - from.z);
+      const Ray ray{from, {(to.x - from.x) / away, (to.y - from.y) / away, (to.z - from.z) / away}};
+      const double farthest = k % 3 == 0 ? HUGE_VAL : away;
+      std::vector<bool> isAsked(spheres.size());
+      CHECK_FALSE(tree.any(ray, farthest, [&](std::size_t i) {
+        CHECK(!isAsked[i]);
+        isAsked[i] = true;
+        ++asked;
+        return false;
+      }));
+      for (std::size_t i = 0; i < spheres.size(); ++i) {
+        const Hits found = std::isfinite(spheres[i].radius) ? intersect(ray, spheres[i]) : Hits{};
+        const bool isHit = !std::isfinite(spheres[i].radius) || (found.count > 0 && found.hits[0].distance <= farthest);
+        hits += isHit;
+        if (isHit) CHECK(isAsked[i]);
+      }
+    }
+  }
+  CHECK(hits > 300);
+  CHECK(asked < 3 * hits + rays);
 }

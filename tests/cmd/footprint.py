@@ -5,7 +5,8 @@
 Of each camera: a vertex with a pixel projects back to it; one on the horizon is where the line of sight touches the
 surface, one on --max-distance is that far away; between two vertices of one side of the picture the ground lies within
 the stated error of the map's line; the area is the integral over the polygon, by quadrature, and at height 0 that of
-GeographicLib's Planimeter, where it is installed; and GeoJSON keeps the rules of RFC 7946 and has the same area.
+GeographicLib's Planimeter, where it is installed; and GeoJSON keeps the rules of RFC 7946 and has the same area. Where
+a lens ends inside the picture, the area is that of the directions that its formula puts there.
 """
 import json
 import math
@@ -68,10 +69,14 @@ LOCAL = [
     ("left-handed", ["--convention", "unity", "--position", "0,5,0", "--target", "0,4,4", "--fov-y", "50",
                      "--viewport", "300x200"], ["--plane", "y=0", "--max-distance", "50"], None),
 ]
+# k1, k2, p1, p2, and the principal point of a picture of 640 x 480.
+ENDING = [(-0.5, 0, 0, 0, 320, 240), (-0.283, 0, 0, 0, 320, 240), (2e-4, 1e-4, -0.283, 0.0739, 320, 240),
+          (0, 0, 0, 1.76, 320, 240), (-0.5, 0, 0, 0, -80, 300), (-0.5, 0, 0, 0, -80, -60)]
 
 
 def run(command, options, given=""):
-    done = subprocess.run([TOOL, command, *options], input=given, capture_output=True, text=True, check=False)
+    done = subprocess.run([TOOL, command, *options], input=given, capture_output=True, text=True, check=False,
+                          timeout=10)
     if done.returncode != 0:
         sys.exit(f"viewproj {command} {' '.join(options)}: {done.stderr}")
     return done.stdout
@@ -264,6 +269,59 @@ for name, camera, surface, expected in LOCAL:
         if v["pixel"] is None:
             require(close(math.dist(at, [v["x"], v["y"], v["z"]]), float(surface[3]), 1e-12), f"{v} is not on the limit")
     checked += 1
+
+
+def area_through(lens):
+    """On a plane at distance 1, by turns around the axis: as far as the lens goes, and only what is in the picture."""
+    k1, k2, p1, p2, cx, cy = lens
+    end, beyond = 0.0, 2.0  # the least slope is 1 + 3 k1 u + 5 k2 u^2 - 6 |p| r
+    for _ in range(60):
+        r = (end + beyond) / 2
+        grows = 1 + 3 * k1 * r ** 2 + 5 * k2 * r ** 4 - 6 * math.hypot(p1, p2) * r > 0
+        end, beyond = (r, beyond) if grows else (end, r)
+
+    def is_in(x, y):
+        u = x * x + y * y
+        g = 1 + k1 * u + k2 * u * u
+        return -0.5 <= 458 * (x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x)) + cx <= 639.5 and (
+            -0.5 <= 458 * (y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y) + cy <= 479.5)
+
+    turns, radii, total = 2000, 40, 0
+    for i in range(turns):
+        c, s = math.cos(2 * math.pi * i / turns), math.sin(2 * math.pi * i / turns)
+        was, before = is_in(0, 0), 0
+        for k in range(1, radii + 1):
+            r = end * k / radii
+            now = is_in(r * c, r * s)
+            if now != was:
+                low, high = end * (k - 1) / radii, r
+                for _ in range(40):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if is_in(middle * c, middle * s) == was else (low, middle)
+                if was:
+                    total += low ** 2 - before ** 2
+                was, before = now, low
+        if was:
+            total += end ** 2 - before ** 2
+    return total / 2 * 2 * math.pi / turns
+
+
+for lens in ENDING:
+    name = f"lens {lens}"
+    k1, k2, p1, p2, cx, cy = lens
+    camera = {"convention": "opencv", "position": [0, 0, 0], "rotation": [0, 0, 0, 1],
+              "projection": {"type": "intrinsics", "fx": 458, "fy": 458, "cx": cx, "cy": cy},
+              "distortion": {"model": "brown", "k": [k1, k2], "p": [p1, p2]}, "viewport": {"width": 640, "height": 480}}
+    given = ["-c", json.dumps(camera)]
+    got = json.loads(run("footprint", [*given, "--plane", "z=5", "--to", "json"]))
+    require(got["cut"] == ["lens"], f"cut {got['cut']}")
+    expected = 25 * area_through(lens)
+    require(close(got["area"], expected, 2e-4), f"area {got['area']}, by turns {expected}")
+    places = [(v["x"], v["y"]) for v in got["polygon"]]
+    apart = [math.dist(a, b) for a, b in zip(places, places[1:] + places[:1])]
+    require(min(apart) > got["error"] / 100, "a place twice")
+    run("draw", [*given, "--height", "5"])
+    checked += 1
 name = "all"
-require(checked == len(CASES) - 3 + len(LOCAL), "some cameras were not judged")
+require(checked == len(CASES) - 3 + len(LOCAL) + len(ENDING), "some cameras were not judged")
 print(f"{checked} footprints are right")
