@@ -88,9 +88,9 @@ PlainCamera moved(const Fit& fit, double size, const PlainCamera& from, const st
     if (one == By::up) to.eye = sum(to.eye, v * size, fit.up);
     if (one == By::u) to.eye = scaled(to.eye, 1 + v);
     if (one >= By::k1) {
-      if (!to.terms) to.terms.emplace();
-      to.terms->limit = HUGE_VAL;
-      (one >= By::p1 ? to.terms->p[offsetOf(one, By::p1)] : to.terms->k[offsetOf(one, By::k1)]) += v;
+      if (!to.lens) to.lens.emplace();
+      to.lens->limitCosine = 0;
+      (one >= By::p1 ? to.lens->p[offsetOf(one, By::p1)] : to.lens->k[offsetOf(one, By::k1)]) += v;
     }
   }
   if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
@@ -271,7 +271,7 @@ std::vector<PlainCamera> startsOf(const Fit& fit, const std::vector<By>& by) {
 
 /// Whether it can be of these pairs.
 bool applies(const Fit& fit, const std::vector<By>& by) {
-  const bool hasOtherLens = fit.camera.lens && !fit.camera.terms;
+  const bool hasOtherLens = fit.camera.lens && !fit.camera.lens->isBrown();
   if (by[0] >= By::k1 && (fit.camera.isOrthographic || hasOtherLens)) return false;
   if (by[0] == By::u && (fit.isOnEarth || !(length(fit.camera.eye) > 0))) return false;
   return 2 * fit.pairs.size() >= by.size() + 1;
@@ -284,7 +284,7 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   double degrees = angleOf(turned) * 180 / std::numbers::pi;
   if (isBetween(family.by[0], By::h, By::r) && dot(skewOf(turned), axisOf(fit, to, family.by[0])) < 0)
     degrees = -degrees;
-  const BrownTerms lens = to.terms.value_or(BrownTerms{});  // no step has made one: its numbers are 0
+  const PlainLens lens = to.lens.value_or(PlainLens{});  // no step has made one: its numbers are 0
   const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
                                              {'g', to.focal.y / from.focal.y},
                                              {'x', to.centre.x - from.centre.x},

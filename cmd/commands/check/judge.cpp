@@ -443,8 +443,8 @@ std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, co
   camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
   camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1])
                                                         : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
-  camera.lens = own.lens;
-  if (h.camera.terms == was.terms) camera.terms = own.terms;
+  camera.lensOfFile = own.lensOfFile;
+  if (h.camera.lens == was.lens) camera.lens = own.lens;
   return {anew};
 }
 

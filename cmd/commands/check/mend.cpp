@@ -52,11 +52,11 @@ Document withCamera(CameraFile file, const PlainCamera& from, const PlainCamera&
         file, isFlat ? orthographic(p.left(), p.right(), p.bottom(), p.top(), own.zNear(), own.zFar()) : p);
   }
   const Document changed = copied(file.document);
-  if (to.terms && to.terms != from.terms) {
-    std::vector<double> k(to.terms->k.begin(), to.terms->k.end());
+  if (to.lens && to.lens != from.lens) {
+    std::vector<double> k(to.lens->k.begin(), to.lens->k.end());
     while (k.size() > 1 && k.back() == 0) k.pop_back();
     Json lens{{"model", "brown"}, {"k", k}};
-    if (to.terms->p != std::array<double, 2>{}) lens["p"] = to.terms->p;
+    if (to.lens->p != std::array<double, 2>{}) lens["p"] = to.lens->p;
     (*changed.root)["distortion"] = std::move(lens);
   }
   return changed;
@@ -113,7 +113,7 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   const CameraFile base = changed(file, patchesOf(h.sets), h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
   const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
-  const bool isPose = h.camera.eye != own.eye || h.camera.axes != own.axes || h.camera.terms != own.terms;
+  const bool isPose = h.camera.eye != own.eye || h.camera.axes != own.axes || h.camera.lens != own.lens;
   const Mend ofFields{setsBetween(file.document, base.document), h.stretch, h.pixels};
   if (!isPose && times == Vec2{1, 1} && h.camera.centre == own.centre) return ofFields;
   const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
