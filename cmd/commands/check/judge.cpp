@@ -162,6 +162,8 @@ class Search {
   std::vector<Hypothesis> bestRows() const;
   std::vector<Hypothesis> twoRows() const;
   std::vector<Explanation> besideWrongPairs() const;
+  /// A mistake without a number that leaves noise, and makes misses of the noise's size smaller together.
+  std::vector<Explanation> amongNoise() const;
   std::vector<Explanation> pixelOrder() const;
 
   Trials trials_;
@@ -350,27 +352,63 @@ std::vector<Explanation> Search::besideWrongPairs() const {
   return judged(std::move(all), Stage::wrongPairs, tries, wrong);
 }
 
-/// Each pair has the pixel of one line, and not all their own.
+std::vector<Explanation> Search::amongNoise() const {
+  const auto squaresOf = [](const std::vector<Vec2>& misses) {
+    return std::accumulate(misses.begin(), misses.end(), 0.0,
+                           [](double sum, const Vec2& miss) { return sum + miss.x * miss.x + miss.y * miss.y; });
+  };
+  const double count = 2 * static_cast<double>(pairs_.size()), before = squaresOf(before_);
+  std::vector<Explanation> found;
+  for (const Hypothesis& h : rows_) {
+    Explanation e{.hypothesis = h, .misses = missesOf(h, pairs_)};
+    const double after = squaresOf(e.misses);
+    constexpr double kLess = 1.25;  // times the rms: less than that is no mistake
+    e.rms = std::sqrt(after / count);
+    e.evidence = count / 2 * std::log(before / (kLess * kLess * after)) - std::log(rows_.size());
+    if (!(growthOf(h) * e.rms <= 1 && e.evidence > kThreshold)) continue;
+    for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
+    found.push_back(std::move(e));
+  }
+  return listed(std::move(found), within_);
+}
+
+/// Most pairs have the pixel of one line, and not all their own.
 std::vector<Explanation> Search::pixelOrder() const {
-  constexpr std::size_t kMost = 2000;
-  if (pairs_.size() > kMost) return {};
+  constexpr std::size_t kMost = 2000, kShown = 10;
+  const std::size_t n = pairs_.size();
+  if (n > kMost) return {};
   Explanation e{.hypothesis = nothing_};
   e.hypothesis.mistake = "pixel-order";
-  std::set<std::size_t> taken;
+  std::vector<std::string> others;         // that have the pixel of another line
+  std::set<std::ptrdiff_t> taken, places;  // and how many places further down it is
+  double squares = 0;
   for (const Pair& pair : pairs_) {
     const Vec2 at = pixelOf(trials_.plain(), pair.point);
     const auto isNear = [&](const Pair& other) { return length(at - other.pixel) <= within_; };
     const auto near = std::find_if(pairs_.begin(), pairs_.end(), isNear);
-    if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) || !taken.insert(near->line).second)
-      return {};
-    e.misses.push_back(at - near->pixel);
-    e.largest = std::max(e.largest, length(e.misses.back()));
-    e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
-    if (near->line == pair.line) continue;
-    std::string& words = e.hypothesis.words;
-    words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
-             std::to_string(near->line);
+    if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) ||
+        !taken.insert(near - pairs_.begin()).second) {
+      e.wrong.push_back(pair.line);
+      continue;
+    }
+    const double miss = length(at - near->pixel);
+    squares += miss * miss;
+    e.largest = std::max(e.largest, miss);
+    places.insert(&*near - &pair);
+    if (near->line != pair.line)
+      others.push_back("line " + std::to_string(pair.line) + " the pixel of line " + std::to_string(near->line));
   }
+  if (others.empty() || 4 * e.wrong.size() > n) return {};
+  e.rms = std::sqrt(squares / static_cast<double>(2 * (n - e.wrong.size())));
+  std::string& words = e.hypothesis.words;
+  if (places.size() == 1 && n > 2) {
+    const std::ptrdiff_t down = *places.begin(), far = std::abs(down);
+    words = "give each line the pixel of the line " + (far == 1 ? "" : std::to_string(far) + " lines ") +
+            (down > 0 ? "after it" : "before it");
+    return {e};
+  }
+  for (std::size_t i = 0; i < std::min(others.size(), kShown); ++i) words += (i == 0 ? "give " : ", ") + others[i];
+  if (others.size() > kShown) words += ", and " + std::to_string(others.size() - kShown) + " more";
   return {e};
 }
 
@@ -408,7 +446,8 @@ std::vector<Explanation> Search::explanations(bool keepsSame) {
     const auto isWorse = [&](const Explanation& e) { return weighted(e) < weighted(beside[0]); };
     if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
   }
-  if (found_.empty()) return pixelOrder();
+  if (found_.empty()) found_ = pixelOrder();
+  if (found_.empty()) return amongNoise();
   return listed(std::move(found_), within_, keepsSame);
 }
 
