@@ -21,15 +21,15 @@ Vec2 inPixels(const PlainCamera& camera, const Vec2& at) {
 std::optional<PlainLens> plainOf(const std::optional<Lens>& lens) {
   if (!lens) return std::nullopt;
   const bool isFov = lens->model() == LensModel::fov, isBrown = lens->model() == LensModel::brown;
-  return PlainLens{.isAngle = isFov || lens->model() == LensModel::fisheye,
-                   .xi = lens->xi(),
-                   .alpha = lens->alpha(),
-                   .beta = lens->beta(),
-                   .across = isFov ? 2 * std::tan(lens->omega() / 2) : 1,
-                   .k = lens->k(),
-                   .p = lens->p(),
-                   .limitCosine =
-                       std::cos(std::min(lens->limitDegrees(), isBrown ? 90.0 : 180.0) * std::numbers::pi / 180)};
+  return PlainLens{
+      .isAngle = isFov || lens->model() == LensModel::fisheye,
+      .xi = lens->xi(),
+      .alpha = lens->alpha(),
+      .beta = lens->beta(),
+      .across = isFov ? 2 * std::tan(lens->omega() / 2) : 1,
+      .k = lens->k(),
+      .p = lens->p(),
+      .limitCosine = std::cos(std::min(lens->limitDegrees(), isBrown ? 90.0 : 180.0) * std::numbers::pi / 180)};
 }
 
 }  // namespace

@@ -92,11 +92,12 @@ int parametersOf(const Explanation& e) {
 }
 
 /// By how much less evidence it may stand in place of the best: if it is simpler.
-double allowanceOf(const Explanation& e, const Explanation& best) {
+double allowanceOf(const Explanation& e, const Explanation& best, double within) {
   const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
   const int more = parametersOf(e) - parametersOf(best);
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
-  if ((more < 0 || isOneOfTwo) && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  if (isOneOfTwo && e.largest <= within) return HUGE_VAL;
+  if (more < 0 && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
   return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
@@ -111,7 +112,7 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
   };
   auto best = found.begin();
   for (auto e = found.begin(); e != found.end(); ++e)
-    if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0]) && rank(*e) < rank(*best)) best = e;
+    if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0], within) && rank(*e) < rank(*best)) best = e;
   std::rotate(found.begin(), best, best + 1);
   std::vector<Explanation> out;
   int fewest = parametersOf(found[0]);
@@ -133,6 +134,13 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
     if (out.size() == (keepsSame ? 12 : 6)) break;
   }
   return out;
+}
+
+/// Of the components.
+double rmsOf(std::span<const Vec2> misses) {
+  double squares = 0;
+  for (const Vec2& miss : misses) squares += miss.x * miss.x + miss.y * miss.y;
+  return std::sqrt(squares / (2 * static_cast<double>(misses.size())));
 }
 
 // ---- The search
@@ -163,7 +171,7 @@ class Search {
   std::vector<Hypothesis> twoRows() const;
   std::vector<Explanation> besideWrongPairs() const;
   /// A mistake without a number that leaves noise, and makes misses of the noise's size smaller together.
-  std::vector<Explanation> amongNoise() const;
+  void seekAmongNoise();
   std::vector<Explanation> pixelOrder() const;
 
   Trials trials_;
@@ -239,7 +247,7 @@ std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stag
       const double distance = length(miss);
       distances.push_back(std::isnan(distance) ? HUGE_VAL : distance);
     }
-    const auto rmsOf = [](double squares, std::size_t count) {
+    const auto rootMean = [](double squares, std::size_t count) {
       return std::sqrt(squares / static_cast<double>(count));
     };
     double limit = HUGE_VAL, squares = 0;
@@ -248,7 +256,7 @@ std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stag
       std::sort(sorted.begin(), sorted.end());
       const double best =
           std::inner_product(sorted.begin(), sorted.end() - static_cast<std::ptrdiff_t>(wrong), sorted.begin(), 0.0);
-      limit = std::max(within_, 4 * std::max(rmsOf(best, n - wrong), kFloor));
+      limit = std::max(within_, 4 * std::max(rootMean(best, n - wrong), kFloor));
     }
     std::vector<std::size_t> right;
     for (std::size_t i = 0; i < n; ++i) {
@@ -261,7 +269,7 @@ std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stag
       e.largest = std::max(e.largest, distances[i]);
     }
     if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
-    e.rms = rmsOf(squares, 2 * right.size());
+    e.rms = rootMean(squares, 2 * right.size());
     const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
     const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
     e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
@@ -322,6 +330,12 @@ std::vector<Hypothesis> Search::twoRows() const {
   const std::vector<Hypothesis> others =
       someOf(rows_, [](const Hypothesis& h) { return !h.movesPixels() || isIn(h, {"pixel-centre"}); });
   std::vector<Hypothesis> all = inTwos(someOf(rows_, isOfPixels), [&](const Hypothesis&) { return others; });
+  const auto ofPoints = [&](bool isUnit) {
+    return someOf(rows_, [&](const Hypothesis& h) { return h.points != kUnit && isIn(h, {"unit"}) == isUnit; });
+  };
+  const std::vector<Hypothesis> units = ofPoints(true);
+  for (Hypothesis& two : inTwos(ofPoints(false), [&](const Hypothesis&) { return units; }))
+    all.push_back(std::move(two));
   for (Hypothesis& two : inTwos(someOf(rows_, setsPose), [&](const Hypothesis& first) {
          Trials after(changed(trials_.file(), patchesOf(first.sets), first.stretch));
          addPoseRows(after);
@@ -352,24 +366,18 @@ std::vector<Explanation> Search::besideWrongPairs() const {
   return judged(std::move(all), Stage::wrongPairs, tries, wrong);
 }
 
-std::vector<Explanation> Search::amongNoise() const {
-  const auto squaresOf = [](const std::vector<Vec2>& misses) {
-    return std::accumulate(misses.begin(), misses.end(), 0.0,
-                           [](double sum, const Vec2& miss) { return sum + miss.x * miss.x + miss.y * miss.y; });
-  };
-  const double count = 2 * static_cast<double>(pairs_.size()), before = squaresOf(before_);
-  std::vector<Explanation> found;
+void Search::seekAmongNoise() {
+  constexpr double kLess = 1.25, kMuchLess = 4;  // times the rms
+  const double n = static_cast<double>(pairs_.size()), before = rmsOf(before_);
+  if (!(before <= kMuchLess)) return;  // pixels: what it leaves is less than one
   for (const Hypothesis& h : rows_) {
     Explanation e{.hypothesis = h, .misses = missesOf(h, pairs_)};
-    const double after = squaresOf(e.misses);
-    constexpr double kLess = 1.25;  // times the rms: less than that is no mistake
-    e.rms = std::sqrt(after / count);
-    e.evidence = count / 2 * std::log(before / (kLess * kLess * after)) - std::log(rows_.size());
-    if (!(growthOf(h) * e.rms <= 1 && e.evidence > kThreshold)) continue;
+    e.rms = rmsOf(e.misses);
+    e.evidence = 2 * n * std::log(before / (kLess * e.rms)) - std::log(rows_.size());
+    if (!(e.evidence > kThreshold && growthOf(h) * e.rms <= 1 && before <= kMuchLess * e.rms)) continue;
     for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
-    found.push_back(std::move(e));
+    found_.push_back(std::move(e));
   }
-  return listed(std::move(found), within_);
 }
 
 /// Most pairs have the pixel of one line, and not all their own.
@@ -418,6 +426,7 @@ std::vector<Explanation> Search::explanations(bool keepsSame) {
   };
   seek(rows_, Stage::rows);
   seek(families(fitOf(nothing_), Table::simple), Stage::families);
+  seekAmongNoise();
   const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
     std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
     for (const double half : {0.5, -0.5}) {
@@ -447,7 +456,6 @@ std::vector<Explanation> Search::explanations(bool keepsSame) {
     if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
   }
   if (found_.empty()) found_ = pixelOrder();
-  if (found_.empty()) return amongNoise();
   return listed(std::move(found_), within_, keepsSame);
 }
 

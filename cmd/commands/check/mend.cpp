@@ -123,8 +123,14 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
       for (int digits = 3; digits <= kAllDigits; ++digits) {
         const Document rounded = copied(exact);
         roundChanged(*rounded.root, *base.document.root, digits);
-        const Mend tried{setsBetween(file.document, rounded), h.stretch, h.pixels};
-        if (rmsWith(file, tried, e, pairs) <= (digits < kAllDigits ? most : 1.01 * e.rms + 1e-3)) return tried;
+        Mend tried{setsBetween(file.document, rounded), h.stretch, h.pixels};
+        if (rmsWith(file, tried, e, pairs) > (digits < kAllDigits ? most : 1.01 * e.rms + 1e-3)) continue;
+        for (std::size_t i = tried.sets.size(); i-- > 0;) {  // what changes nothing
+          Mend fewer = tried;
+          fewer.sets.erase(fewer.sets.begin() + static_cast<std::ptrdiff_t>(i));
+          if (rmsWith(file, fewer, e, pairs) <= most) tried = fewer;
+        }
+        return tried;
       }
     } catch (const InputError&) {
     }

@@ -246,7 +246,8 @@ OrderedJson PairReport::report() const {
     const std::vector<std::size_t> lines = camera->wrongLines();
     wrong.insert(wrong.end(), lines.begin(), lines.end());
     const std::vector<Pair> pairs = camera->pairsWithPixel();
-    const bool agree = std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
+    const bool agree =
+        std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
     if (lines.empty() && !agree) open.push_back(camera.get());
   }
   std::sort(wrong.begin(), wrong.end());

@@ -116,7 +116,10 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
     const auto [heading, pitch, roll] = headingPitchRollOf(pose, file.worldIsEcef);
     return std::array{heading.value < 0 ? heading.value + 360 : heading.value, pitch.value, roll.value};
   };
-  const auto was = degreesOf(plainPose(*file.pose)), is = degreesOf(poseOf(to));
+  const PlainPose own = plainPose(*file.pose);
+  // On the Earth the angles of an eye that is moved alone change with its place.
+  if (apart(own.forward, to.axes[2]) + apart(own.right, to.axes[0]) < kRounding) return "";
+  const auto was = degreesOf(own), is = degreesOf(poseOf(to));
   std::string text;
   for (std::size_t i = 0; i < 3; ++i)
     if (std::fabs(std::remainder(is[i] - was[i], 360)) > kRounding * 360)
@@ -166,7 +169,8 @@ std::string shownLines(std::span<const std::size_t> lines) {
 }
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
-  std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera);
+  std::string words =
+      sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera);
   if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";
