@@ -88,9 +88,11 @@ struct CheckedCamera {
   std::optional<double> add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line) {
     const std::size_t index = records++;
     const ScreenPoint at = worldToScreen(*camera, point);
-    const bool isSeen = at.status == PointStatus::inFront, isSeenByOne = isSeen != pixel.has_value();
-    if (isSeenByOne) ++noPixel;
-    const Vec2 given = pixel.value_or(Vec2{NAN, NAN}), miss = pixel || isSeenByOne ? Vec2{at.x, at.y} - given : Vec2{};
+    const bool isSeen = at.status == PointStatus::inFront;
+    if (isSeen != pixel.has_value()) ++noPixel;
+    const Vec2 given = pixel.value_or(Vec2{NAN, NAN});
+    Vec2 miss = Vec2{at.x, at.y} - given;
+    if (!isSeen && !pixel) miss = {};
     if (index % stride == 0) pairs.push_back({point, given, line, miss});
     if (pairs.size() > most) {
       std::size_t place = 0;
