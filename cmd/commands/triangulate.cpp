@@ -5,8 +5,8 @@
 #include <unordered_map>
 
 #include "camera/sea_level.hpp"
-#include "commands/check/plain_camera.hpp"
 #include "commands/command.hpp"
+#include "commands/plain_camera.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
@@ -18,10 +18,6 @@ namespace viewproj::cmd {
 
 using detail::crossOf;
 using detail::dot;
-using mistakes::PlainCamera;
-using mistakes::Rows;
-using mistakes::operator*;
-using mistakes::length;
 namespace {
 
 struct Eye {
@@ -215,7 +211,7 @@ class Triangulator {
 
   const Eye* eyeOf(const RecordCamera& camera) {
     if (!lastEye_ || lastEye_->from != &camera)
-      lastEye_ = &eyes_.try_emplace(&camera, Eye{&camera, mistakes::plainOf(camera.camera)}).first->second;
+      lastEye_ = &eyes_.try_emplace(&camera, Eye{&camera, plainOf(camera.camera)}).first->second;
     return lastEye_;
   }
 

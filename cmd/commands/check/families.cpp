@@ -88,9 +88,9 @@ PlainCamera moved(const Fit& fit, double size, const PlainCamera& from, const st
     if (one == By::up) to.eye = sum(to.eye, v * size, fit.up);
     if (one == By::u) to.eye = scaled(to.eye, 1 + v);
     if (one >= By::k1) {
-      if (!to.terms) to.terms.emplace();
-      to.terms->limit = HUGE_VAL;
-      (one >= By::p1 ? to.terms->p[offsetOf(one, By::p1)] : to.terms->k[offsetOf(one, By::k1)]) += v;
+      if (!to.lens) to.lens.emplace();
+      to.lens->limitCosine = 0;
+      (one >= By::p1 ? to.lens->p[offsetOf(one, By::p1)] : to.lens->k[offsetOf(one, By::k1)]) += v;
     }
   }
   if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
@@ -134,113 +134,105 @@ class Solver {
   Solver(const Fit& fit, double size, const std::vector<By>& by, std::size_t wrong)
       : fit_(fit), size_(size), by_(by), wrong_(wrong) {}
 
-  Solution from(PlainCamera camera, int steps) const;
+  Solution from(PlainCamera camera, int steps) const {
+    Numbers now = misses(camera), weight = weights(now, 0);
+    const auto n = static_cast<double>(fit_.pairs.size()), count = static_cast<double>(by_.size());
+    if (2 * std::accumulate(weight.begin(), weight.end(), 0.0) < std::max(2.0, count)) return {camera};
+    double damping = 1e-6;
+    for (int step = 0; step < steps; ++step) {
+      weight = weights(now, step);  // points behind the start count once they are seen
+      const double cost = costOf(now, weight);
+      const auto rows = equations(camera, now, weight);
+      if (!std::isfinite(cost) || !rows) return {camera};
+      PlainCamera next = camera;
+      Numbers then = now;
+      double left = HUGE_VAL;
+      for (int attempt = 0; attempt < 14 && !(left < cost); ++attempt) {  // the damping grows where a step fails
+        std::vector<Numbers> damped = *rows;
+        for (std::size_t a = 0; a < by_.size(); ++a) damped[a][a] += damping * std::max(damped[a][a], 1e-300);
+        if (const auto values = solved(std::move(damped))) {
+          next = changed(camera, *values);
+          then = misses(next);
+          left = costOf(then, weight);
+        }
+        if (!(left < cost)) damping = std::max(damping, 1e-9) * 10;
+      }
+      if (!(left < cost)) break;
+      camera = next;
+      now = then;
+      damping /= 10;
+      if (wrong_ == 0 && step > 0 && (cost - left < 1e-10 * cost || left < 1e-18 * n)) break;
+    }
+    return {camera, costOf(now, wrong_ == 0 ? Numbers(fit_.pairs.size(), 1) : weight)};
+  }
 
  private:
   PlainCamera changed(const PlainCamera& camera, const Numbers& values) const {
     return moved(fit_, size_, camera, by_, values);
   }
   /// x and y of each pair, NaN without a pixel.
-  Numbers misses(const PlainCamera& camera) const;
+  Numbers misses(const PlainCamera& camera) const {
+    Numbers all;
+    for (const Pair& pair : fit_.pairs) {
+      const Vec2 miss = pixelOf(camera, pair.point) - pair.pixel;
+      all.insert(all.end(), {miss.x, miss.y});
+    }
+    return all;
+  }
+
   /// Of each pair: 0 without a pixel, else 1; or less, if pairs may be wrong, the more it misses beside the others.
-  Numbers weights(const Numbers& misses, int step) const;
-  static double costOf(const Numbers& misses, const Numbers& weights);
-  std::optional<std::vector<Numbers>> equations(const PlainCamera& camera, const Numbers& misses,
-                                                const Numbers& weights) const;
+  Numbers weights(const Numbers& misses, int step) const {
+    Numbers distances, weights;
+    for (std::size_t i = 0; i < misses.size(); i += 2) {
+      const double distance = length(Vec2{misses[i], misses[i + 1]});
+      weights.push_back(std::isfinite(distance) ? 1 : 0);
+      distances.push_back(std::isfinite(distance) ? distance : 1e9);
+    }
+    if (wrong_ == 0) return weights;
+    Numbers sorted = distances;
+    std::sort(sorted.begin(), sorted.end());
+    const double sigma = std::max({std::ldexp(sorted[sorted.size() - wrong_ - 1], -step), medianOf(sorted), 1e-4});
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      weights[i] /= std::pow(1 + distances[i] * distances[i] / (sigma * sigma), 2);
+    return weights;
+  }
+
+  static double costOf(const Numbers& misses, const Numbers& weights) {
+    double cost = 0;
+    for (std::size_t i = 0; i < misses.size(); ++i)
+      if (weights[i / 2] > 0) cost += weights[i / 2] * misses[i] * misses[i];
+    return std::isfinite(cost) ? cost : HUGE_VAL;
+  }
+
+  std::optional<std::vector<Numbers>> equations(const PlainCamera& camera, const Numbers& now,
+                                                const Numbers& weights) const {
+    constexpr double kStep = 1e-6;
+    const std::size_t count = by_.size();
+    std::vector<Numbers> columns, rows(count, Numbers(count + 1));  // what each parameter changes, and what is to be
+    for (std::size_t j = 0; j <= count; ++j) {
+      Numbers values(count), column(now.size());
+      if (j < count) {
+        values[j] = kStep;
+        column = misses(changed(camera, values));
+      }
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const double weight = weights[i / 2];
+        column[i] = weight > 0 ? std::sqrt(weight) * (column[i] - now[i]) / (j < count ? kStep : 1) : 0;
+        if (!std::isfinite(column[i])) return std::nullopt;
+      }
+      columns.push_back(std::move(column));
+    }
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = 0; b <= count; ++b)
+        rows[a][b] = std::inner_product(columns[a].begin(), columns[a].end(), columns[b].begin(), 0.0);
+    return rows;
+  }
 
   const Fit& fit_;
   double size_;
   const std::vector<By>& by_;
   std::size_t wrong_;
 };
-
-Numbers Solver::misses(const PlainCamera& camera) const {
-  Numbers all;
-  for (const Pair& pair : fit_.pairs) {
-    const Vec2 miss = pixelOf(camera, pair.point) - pair.pixel;
-    all.insert(all.end(), {miss.x, miss.y});
-  }
-  return all;
-}
-
-Numbers Solver::weights(const Numbers& misses, int step) const {
-  Numbers distances, weights;
-  for (std::size_t i = 0; i < misses.size(); i += 2) {
-    const double distance = length(Vec2{misses[i], misses[i + 1]});
-    weights.push_back(std::isfinite(distance) ? 1 : 0);
-    distances.push_back(std::isfinite(distance) ? distance : 1e9);
-  }
-  if (wrong_ == 0) return weights;
-  Numbers sorted = distances;
-  std::sort(sorted.begin(), sorted.end());
-  const double sigma = std::max({std::ldexp(sorted[sorted.size() - wrong_ - 1], -step), medianOf(sorted), 1e-4});
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    weights[i] /= std::pow(1 + distances[i] * distances[i] / (sigma * sigma), 2);
-  return weights;
-}
-
-double Solver::costOf(const Numbers& misses, const Numbers& weights) {
-  double cost = 0;
-  for (std::size_t i = 0; i < misses.size(); ++i)
-    if (weights[i / 2] > 0) cost += weights[i / 2] * misses[i] * misses[i];
-  return std::isfinite(cost) ? cost : HUGE_VAL;
-}
-
-std::optional<std::vector<Numbers>> Solver::equations(const PlainCamera& camera, const Numbers& now,
-                                                      const Numbers& weights) const {
-  constexpr double kStep = 1e-6;
-  const std::size_t count = by_.size();
-  std::vector<Numbers> columns, rows(count, Numbers(count + 1));  // what each parameter changes, and what is to be
-  for (std::size_t j = 0; j <= count; ++j) {
-    Numbers values(count), column(now.size());
-    if (j < count) {
-      values[j] = kStep;
-      column = misses(changed(camera, values));
-    }
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      const double weight = weights[i / 2];
-      column[i] = weight > 0 ? std::sqrt(weight) * (column[i] - now[i]) / (j < count ? kStep : 1) : 0;
-      if (!std::isfinite(column[i])) return std::nullopt;
-    }
-    columns.push_back(std::move(column));
-  }
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b <= count; ++b)
-      rows[a][b] = std::inner_product(columns[a].begin(), columns[a].end(), columns[b].begin(), 0.0);
-  return rows;
-}
-
-Solution Solver::from(PlainCamera camera, int steps) const {
-  Numbers now = misses(camera), weight = weights(now, 0);
-  const auto n = static_cast<double>(fit_.pairs.size()), count = static_cast<double>(by_.size());
-  if (2 * std::accumulate(weight.begin(), weight.end(), 0.0) < std::max(2.0, count)) return {camera};
-  double damping = 1e-6;
-  for (int step = 0; step < steps; ++step) {
-    weight = weights(now, step);  // points behind the start count once they are seen
-    const double cost = costOf(now, weight);
-    const auto rows = equations(camera, now, weight);
-    if (!std::isfinite(cost) || !rows) return {camera};
-    PlainCamera next = camera;
-    Numbers then = now;
-    double left = HUGE_VAL;
-    for (int attempt = 0; attempt < 14 && !(left < cost); ++attempt) {  // the damping grows where a step fails
-      std::vector<Numbers> damped = *rows;
-      for (std::size_t a = 0; a < by_.size(); ++a) damped[a][a] += damping * std::max(damped[a][a], 1e-300);
-      if (const auto values = solved(std::move(damped))) {
-        next = changed(camera, *values);
-        then = misses(next);
-        left = costOf(then, weight);
-      }
-      if (!(left < cost)) damping = std::max(damping, 1e-9) * 10;
-    }
-    if (!(left < cost)) break;
-    camera = next;
-    now = then;
-    damping /= 10;
-    if (wrong_ == 0 && step > 0 && (cost - left < 1e-10 * cost || left < 1e-18 * n)) break;
-  }
-  return {camera, costOf(now, wrong_ == 0 ? Numbers(fit_.pairs.size(), 1) : weight)};
-}
 
 /// The camera turned by quarters about an axis of its own, or about any: so many whose rays agree best with the points.
 std::vector<PlainCamera> startsOf(const Fit& fit, const std::optional<Vec3>& axis, std::size_t count) {
@@ -271,7 +263,7 @@ std::vector<PlainCamera> startsOf(const Fit& fit, const std::vector<By>& by) {
 
 /// Whether it can be of these pairs.
 bool applies(const Fit& fit, const std::vector<By>& by) {
-  const bool hasOtherLens = fit.camera.lens && !fit.camera.terms;
+  const bool hasOtherLens = fit.camera.lens && !fit.camera.lens->isBrown();
   if (by[0] >= By::k1 && (fit.camera.isOrthographic || hasOtherLens)) return false;
   if (by[0] == By::u && (fit.isOnEarth || !(length(fit.camera.eye) > 0))) return false;
   return 2 * fit.pairs.size() >= by.size() + 1;
@@ -284,7 +276,7 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   double degrees = angleOf(turned) * 180 / std::numbers::pi;
   if (isBetween(family.by[0], By::h, By::r) && dot(skewOf(turned), axisOf(fit, to, family.by[0])) < 0)
     degrees = -degrees;
-  const BrownTerms lens = to.terms.value_or(BrownTerms{});  // no step has made one: its numbers are 0
+  const PlainLens lens = to.lens.value_or(PlainLens{});  // no step has made one: its numbers are 0
   const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
                                              {'g', to.focal.y / from.focal.y},
                                              {'x', to.centre.x - from.centre.x},

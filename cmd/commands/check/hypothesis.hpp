@@ -12,9 +12,11 @@
 
 #include "camera/patch.hpp"
 #include "camera/read_camera.hpp"
-#include "commands/check/plain_camera.hpp"
+#include "commands/plain_camera.hpp"
 
 namespace viewproj::cmd::mistakes {
+
+using cmd::operator*;
 
 struct Pair {
   Vec4 point;

@@ -92,11 +92,12 @@ int parametersOf(const Explanation& e) {
 }
 
 /// By how much less evidence it may stand in place of the best: if it is simpler.
-double allowanceOf(const Explanation& e, const Explanation& best) {
+double allowanceOf(const Explanation& e, const Explanation& best, double within) {
   const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
   const int more = parametersOf(e) - parametersOf(best);
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
-  if ((more < 0 || isOneOfTwo) && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  if (isOneOfTwo && e.largest <= within) return HUGE_VAL;
+  if (more < 0 && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
   return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
@@ -111,7 +112,7 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
   };
   auto best = found.begin();
   for (auto e = found.begin(); e != found.end(); ++e)
-    if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0]) && rank(*e) < rank(*best)) best = e;
+    if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0], within) && rank(*e) < rank(*best)) best = e;
   std::rotate(found.begin(), best, best + 1);
   std::vector<Explanation> out;
   int fewest = parametersOf(found[0]);
@@ -135,34 +136,304 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
   return out;
 }
 
+/// Of the components.
+double rmsOf(std::span<const Vec2> misses) {
+  double squares = 0;
+  for (const Vec2& miss : misses) squares += miss.x * miss.x + miss.y * miss.y;
+  return std::sqrt(squares / (2 * static_cast<double>(misses.size())));
+}
+
 // ---- The search
 
 class Search {
  public:
-  Search(const CameraFile& file, std::span<const Pair> pairs, double within);
+  Search(const CameraFile& file, std::span<const Pair> pairs, double within)
+      : trials_(file),
+        pairs_(pairs),
+        within_(within),
+        nothing_{.mistake = "", .camera = trials_.plain()},
+        rows_(rowsOf(file)),
+        before_(missesOf(nothing_, pairs)) {}
 
-  std::vector<Explanation> explanations(bool keepsSame);
+  std::vector<Explanation> explanations(bool keepsSame) {
+    const auto familiesAfter = [&](Table table) {
+      return [this, table](const Hypothesis& first) { return families(fitOf(first), table); };
+    };
+    seek(rows_, Stage::rows);
+    seek(families(fitOf(nothing_), Table::simple), Stage::families);
+    seekAmongNoise();
+    const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
+      std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
+      for (const double half : {0.5, -0.5}) {
+        Hypothesis centre{.mistake = "pixel-centre", .camera = first.camera};
+        centre.camera.centre = centre.camera.centre - Vec2{half, half};
+        all.push_back(std::move(centre));
+      }
+      return all;
+    });
+    seek(seconds, Stage::rest, 60 * static_cast<double>(seconds.size()));
+    std::vector<Hypothesis> turned = turnedPixels(rows_);
+    if (!isExplained()) {
+      seek(twoRows(), Stage::two);
+      std::vector<Hypothesis> firsts =
+          someOf(rows_, [](const Hypothesis& h) { return isIn(h, {"distortion-ignored"}); });
+      firsts.insert(firsts.end(), turned.begin(), turned.end());
+      seek(inTwos(firsts, familiesAfter(Table::simple)), Stage::flips);
+    }
+    const double poses = static_cast<double>(countOf(Table::poses));
+    if (!isExplained()) seek(families(fitOf(nothing_), Table::poses), Stage::poses, poses);
+    if (!isExplained()) {
+      turned.resize(2, nothing_);
+      seek(inTwos(turned, familiesAfter(Table::poses)), Stage::flippedPoses, 2 * poses);
+    }
+    if (!isExplained()) {
+      const std::vector<Explanation> beside = listed(besideWrongPairs(), within_);
+      const auto isWorse = [&](const Explanation& e) { return weighted(e) < weighted(beside[0]); };
+      if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
+    }
+    if (found_.empty()) found_ = pixelOrder();
+    return listed(std::move(found_), within_, keepsSame);
+  }
 
  private:
   /// Those of the hypotheses that explain something. wrong: how many pairs they may, and must, leave out.
   std::vector<Explanation> judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
-                                  std::size_t wrong = 0) const;
+                                  std::size_t wrong = 0) const {
+    const std::size_t n = pairs_.size();
+    std::vector<Explanation> found;
+    const bool areMany = n > 200 && wrong == 0;
+    for (Hypothesis& h : hypotheses) {
+      if (areMany && !mayExplain(h)) continue;
+      Explanation e{.hypothesis = std::move(h), .stage = stage};
+      e.misses = missesOf(e.hypothesis, pairs_);
+      std::vector<double> distances;
+      for (const Vec2& miss : e.misses) {
+        const double distance = length(miss);
+        distances.push_back(std::isnan(distance) ? HUGE_VAL : distance);
+      }
+      const auto rootMean = [](double squares, std::size_t count) {
+        return std::sqrt(squares / static_cast<double>(count));
+      };
+      double limit = HUGE_VAL, squares = 0;
+      if (wrong > 0) {
+        std::vector<double> sorted = distances;
+        std::sort(sorted.begin(), sorted.end());
+        const double best =
+            std::inner_product(sorted.begin(), sorted.end() - static_cast<std::ptrdiff_t>(wrong), sorted.begin(), 0.0);
+        limit = std::max(within_, 4 * std::max(rootMean(best, n - wrong), kFloor));
+      }
+      std::vector<std::size_t> right;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (!(distances[i] <= limit)) {
+          e.wrong.push_back(pairs_[i].line);
+          continue;
+        }
+        right.push_back(i);
+        squares += distances[i] * distances[i];
+        e.largest = std::max(e.largest, distances[i]);
+      }
+      if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
+      e.rms = rootMean(squares, 2 * right.size());
+      const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
+      const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
+      e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
+      const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
+      if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
+    }
+    return found;
+  }
+
   /// Of what the pairs that it is of miss by before, and the rms that it leaves.
-  double evidenceOf(const Hypothesis& h, double rms, const std::vector<std::size_t>& right) const;
+  double evidenceOf(const Hypothesis& h, double rms, const std::vector<std::size_t>& right) const {
+    const auto n = static_cast<double>(right.size());
+    std::vector<Vec2> mended;
+    Vec2 mean, squares;
+    for (const std::size_t i : right) {
+      mended.push_back(h.pixel(pairs_[i].pixel));
+      mean = {mean.x + mended.back().x / n, mean.y + mended.back().y / n};
+    }
+    for (const Vec2& at : mended)
+      squares = {squares.x + (at.x - mean.x) * (at.x - mean.x), squares.y + (at.y - mean.y) * (at.y - mean.y)};
+    const double grow = growthOf(h);
+    const double left = std::max(rms * grow, kFloor);
+    const auto deviation = [&](double sum) { return right.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
+    const Vec2 most{deviation(squares.x), deviation(squares.y)};
+    if (2 * left >= std::max(most.x, most.y)) return 0;
+    std::vector<double> gains;
+    const auto add = [&](double before, double limit) {
+      const double miss = std::isfinite(before) ? std::min(std::fabs(before), limit) : limit;
+      gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
+    };
+    for (const std::size_t i : right) {
+      add(before_[i].x, most.x);
+      add(before_[i].y, most.y);
+    }
+    const auto kept = gains.end() - std::min(std::ssize(gains), std::ptrdiff_t{h.parameters});
+    std::nth_element(gains.begin(), kept, gains.end());
+    return std::accumulate(gains.begin(), kept, 0.0);
+  }
+
   /// Whether it has evidence in a few of many pairs.
-  bool mayExplain(const Hypothesis& h) const;
-  void seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries);
+  bool mayExplain(const Hypothesis& h) const {
+    constexpr std::size_t kFew = 64;
+    std::vector<std::size_t> few;
+    double squares = 0;
+    for (std::size_t i = 0; i < pairs_.size(); i += pairs_.size() / kFew) {
+      const double distance = length(missOf(h, pairs_[i]));
+      squares += distance * distance;
+      few.push_back(i);
+    }
+    const double rms = std::sqrt(squares / (2 * static_cast<double>(few.size())));
+    return std::isfinite(rms) && evidenceOf(h, rms, few) > 0;
+  }
+
+  void seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries) {
+    for (Explanation& e : judged(hypotheses, stage, tries)) found_.push_back(std::move(e));
+  }
+
   void seek(const std::vector<Hypothesis>& hypotheses, Stage stage) {
     seek(hypotheses, stage, static_cast<double>(hypotheses.size()));
   }
-  bool isExplained() const;
+  bool isExplained() const {
+    return std::any_of(found_.begin(), found_.end(), [&](const Explanation& e) {
+      const double grow = growthOf(e.hypothesis);
+      return e.evidence > kThreshold && (grow * e.largest <= within_ || grow * e.rms <= 1);
+    });
+  }
+
   /// The camera, the points and the pixels as a hypothesis leaves them; not all of many pairs.
-  Fit fitOf(const Hypothesis& h) const;
+  Fit fitOf(const Hypothesis& h) const {
+    const CameraFile& file = trials_.file();
+    Fit fit{h.camera,         worldAt(file, trials_.plain().eye),
+            trials_.up(),     h.pixels(trials_.corners().first),
+            file.worldIsEcef, {}};
+    const std::size_t count = std::min<std::size_t>(500, pairs_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Pair& pair = pairs_[i * pairs_.size() / count];
+      fit.pairs.push_back({h.point(pair.point), h.pixel(pair.pixel)});
+    }
+    return fit;
+  }
+
   /// Mistakes that leave something, which a second one may explain.
-  std::vector<Hypothesis> bestRows() const;
-  std::vector<Hypothesis> twoRows() const;
-  std::vector<Explanation> besideWrongPairs() const;
-  std::vector<Explanation> pixelOrder() const;
+  std::vector<Hypothesis> bestRows() const {
+    std::vector<Explanation> best = found_, apart;
+    std::erase_if(best, [](const Explanation& e) {
+      const Hypothesis& h = e.hypothesis;
+      return h.parameters > 0 || !(e.rms > 1e-2) || !(e.evidence > 0) || h.lensPasses != 0 ||
+             h.places != PlaceMap::none;
+    });
+    std::stable_sort(best.begin(), best.end(),
+                     [](const Explanation& a, const Explanation& b) { return a.evidence > b.evidence; });
+    std::vector<Hypothesis> rows;
+    for (const Explanation& e : best) {
+      if (std::any_of(apart.begin(), apart.end(), [&](const Explanation& other) { return isSame(e, other, false); }))
+        continue;
+      apart.push_back(e);
+      rows.push_back(e.hypothesis);
+      if (rows.size() == 6) break;
+    }
+    return rows;
+  }
+
+  std::vector<Hypothesis> twoRows() const {
+    const auto isOfPixels = [](const Hypothesis& h) {
+      return h.movesPixels() && isIn(h, {"y-flipped", "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio",
+                                         "picture-turned", "row-column", "normalized", "ndc"});
+    };
+    const std::vector<Hypothesis> others =
+        someOf(rows_, [](const Hypothesis& h) { return !h.movesPixels() || isIn(h, {"pixel-centre"}); });
+    std::vector<Hypothesis> all = inTwos(someOf(rows_, isOfPixels), [&](const Hypothesis&) { return others; });
+    const auto ofPoints = [&](bool isUnit) {
+      return someOf(rows_, [&](const Hypothesis& h) { return h.points != kUnit && isIn(h, {"unit"}) == isUnit; });
+    };
+    const std::vector<Hypothesis> units = ofPoints(true);
+    for (Hypothesis& two : inTwos(ofPoints(false), [&](const Hypothesis&) { return units; }))
+      all.push_back(std::move(two));
+    for (Hypothesis& two : inTwos(someOf(rows_, setsPose), [&](const Hypothesis& first) {
+           Trials after(changed(trials_.file(), patchesOf(first.sets), first.stretch));
+           addPoseRows(after);
+           std::vector<Hypothesis> seconds = after.take();
+           for (Hypothesis h : rows_) {  // a window is the same behind each pose
+             if (h.sets.empty() || setsPose(h)) continue;
+             h.camera.axes = first.camera.axes;
+             h.camera.eye = first.camera.eye;
+             seconds.push_back(std::move(h));
+           }
+           return seconds;
+         }))
+      all.push_back(std::move(two));
+    return all;
+  }
+
+  /// A mistake beside wrong pairs, at most a quarter, which are left out.
+  std::vector<Explanation> besideWrongPairs() const {
+    const std::size_t n = pairs_.size(), wrong = std::max<std::size_t>(1, n / 4);
+    if (n < 4) return {};
+    std::vector<Hypothesis> all = rows_;
+    const auto add = [&](const std::vector<Hypothesis>& some) { all.insert(all.end(), some.begin(), some.end()); };
+    const Fit fit = fitOf(nothing_);
+    if (fit.pairs.size() == n) add(families(fit, Table::simple, wrong));
+    if (fit.pairs.size() == n && n >= 8)
+      add(someOf(families(fit, Table::poses, wrong), [](const Hypothesis& h) { return h.parameters <= 6; }));
+    const double tries = static_cast<double>(all.size());
+    return judged(std::move(all), Stage::wrongPairs, tries, wrong);
+  }
+
+  /// A mistake without a number that leaves noise, and makes misses of the noise's size smaller together.
+  void seekAmongNoise() {
+    constexpr double kLess = 1.25, kMuchLess = 4;  // times the rms
+    const double n = static_cast<double>(pairs_.size()), before = rmsOf(before_);
+    if (!(before <= kMuchLess)) return;  // pixels: what it leaves is less than one
+    for (const Hypothesis& h : rows_) {
+      Explanation e{.hypothesis = h, .misses = missesOf(h, pairs_)};
+      e.rms = rmsOf(e.misses);
+      e.evidence = 2 * n * std::log(before / (kLess * e.rms)) - std::log(rows_.size());
+      if (!(e.evidence > kThreshold && growthOf(h) * e.rms <= 1 && before <= kMuchLess * e.rms)) continue;
+      for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
+      found_.push_back(std::move(e));
+    }
+  }
+
+  /// Most pairs have the pixel of one line, and not all their own.
+  std::vector<Explanation> pixelOrder() const {
+    constexpr std::size_t kMost = 2000, kShown = 10;
+    const std::size_t n = pairs_.size();
+    if (n > kMost) return {};
+    Explanation e{.hypothesis = nothing_};
+    e.hypothesis.mistake = "pixel-order";
+    std::vector<std::string> others;         // that have the pixel of another line
+    std::set<std::ptrdiff_t> taken, places;  // and how many places further down it is
+    double squares = 0;
+    for (const Pair& pair : pairs_) {
+      const Vec2 at = pixelOf(trials_.plain(), pair.point);
+      const auto isNear = [&](const Pair& other) { return length(at - other.pixel) <= within_; };
+      const auto near = std::find_if(pairs_.begin(), pairs_.end(), isNear);
+      if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) ||
+          !taken.insert(near - pairs_.begin()).second) {
+        e.wrong.push_back(pair.line);
+        continue;
+      }
+      const double miss = length(at - near->pixel);
+      squares += miss * miss;
+      e.largest = std::max(e.largest, miss);
+      places.insert(&*near - &pair);
+      if (near->line != pair.line)
+        others.push_back("line " + std::to_string(pair.line) + " the pixel of line " + std::to_string(near->line));
+    }
+    if (others.empty() || 4 * e.wrong.size() > n) return {};
+    e.rms = std::sqrt(squares / static_cast<double>(2 * (n - e.wrong.size())));
+    std::string& words = e.hypothesis.words;
+    if (places.size() == 1 && n > 2) {
+      const std::ptrdiff_t down = *places.begin(), far = std::abs(down);
+      words = "give each line the pixel of the line " + (far == 1 ? "" : std::to_string(far) + " lines ") +
+              (down > 0 ? "after it" : "before it");
+      return {e};
+    }
+    for (std::size_t i = 0; i < std::min(others.size(), kShown); ++i) words += (i == 0 ? "give " : ", ") + others[i];
+    if (others.size() > kShown) words += ", and " + std::to_string(others.size() - kShown) + " more";
+    return {e};
+  }
 
   Trials trials_;
   std::span<const Pair> pairs_;
@@ -172,245 +443,6 @@ class Search {
   std::vector<Vec2> before_;  ///< the misses without an explanation
   std::vector<Explanation> found_;
 };
-
-Search::Search(const CameraFile& file, std::span<const Pair> pairs, double within)
-    : trials_(file),
-      pairs_(pairs),
-      within_(within),
-      nothing_{.mistake = "", .camera = trials_.plain()},
-      rows_(rowsOf(file)),
-      before_(missesOf(nothing_, pairs)) {}
-
-double Search::evidenceOf(const Hypothesis& h, double rms, const std::vector<std::size_t>& right) const {
-  const auto n = static_cast<double>(right.size());
-  std::vector<Vec2> mended;
-  Vec2 mean, squares;
-  for (const std::size_t i : right) {
-    mended.push_back(h.pixel(pairs_[i].pixel));
-    mean = {mean.x + mended.back().x / n, mean.y + mended.back().y / n};
-  }
-  for (const Vec2& at : mended)
-    squares = {squares.x + (at.x - mean.x) * (at.x - mean.x), squares.y + (at.y - mean.y) * (at.y - mean.y)};
-  const double grow = growthOf(h);
-  const double left = std::max(rms * grow, kFloor);
-  const auto deviation = [&](double sum) { return right.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
-  const Vec2 most{deviation(squares.x), deviation(squares.y)};
-  if (2 * left >= std::max(most.x, most.y)) return 0;
-  std::vector<double> gains;
-  const auto add = [&](double before, double limit) {
-    const double miss = std::isfinite(before) ? std::min(std::fabs(before), limit) : limit;
-    gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
-  };
-  for (const std::size_t i : right) {
-    add(before_[i].x, most.x);
-    add(before_[i].y, most.y);
-  }
-  const auto kept = gains.end() - std::min(std::ssize(gains), std::ptrdiff_t{h.parameters});
-  std::nth_element(gains.begin(), kept, gains.end());
-  return std::accumulate(gains.begin(), kept, 0.0);
-}
-
-bool Search::mayExplain(const Hypothesis& h) const {
-  constexpr std::size_t kFew = 64;
-  std::vector<std::size_t> few;
-  double squares = 0;
-  for (std::size_t i = 0; i < pairs_.size(); i += pairs_.size() / kFew) {
-    const double distance = length(missOf(h, pairs_[i]));
-    squares += distance * distance;
-    few.push_back(i);
-  }
-  const double rms = std::sqrt(squares / (2 * static_cast<double>(few.size())));
-  return std::isfinite(rms) && evidenceOf(h, rms, few) > 0;
-}
-
-std::vector<Explanation> Search::judged(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
-                                        std::size_t wrong) const {
-  const std::size_t n = pairs_.size();
-  std::vector<Explanation> found;
-  const bool areMany = n > 200 && wrong == 0;
-  for (Hypothesis& h : hypotheses) {
-    if (areMany && !mayExplain(h)) continue;
-    Explanation e{.hypothesis = std::move(h), .stage = stage};
-    e.misses = missesOf(e.hypothesis, pairs_);
-    std::vector<double> distances;
-    for (const Vec2& miss : e.misses) {
-      const double distance = length(miss);
-      distances.push_back(std::isnan(distance) ? HUGE_VAL : distance);
-    }
-    const auto rmsOf = [](double squares, std::size_t count) {
-      return std::sqrt(squares / static_cast<double>(count));
-    };
-    double limit = HUGE_VAL, squares = 0;
-    if (wrong > 0) {
-      std::vector<double> sorted = distances;
-      std::sort(sorted.begin(), sorted.end());
-      const double best =
-          std::inner_product(sorted.begin(), sorted.end() - static_cast<std::ptrdiff_t>(wrong), sorted.begin(), 0.0);
-      limit = std::max(within_, 4 * std::max(rmsOf(best, n - wrong), kFloor));
-    }
-    std::vector<std::size_t> right;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(distances[i] <= limit)) {
-        e.wrong.push_back(pairs_[i].line);
-        continue;
-      }
-      right.push_back(i);
-      squares += distances[i] * distances[i];
-      e.largest = std::max(e.largest, distances[i]);
-    }
-    if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
-    e.rms = rmsOf(squares, 2 * right.size());
-    const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
-    const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
-    e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
-    const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
-    if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
-  }
-  return found;
-}
-
-void Search::seek(const std::vector<Hypothesis>& hypotheses, Stage stage, double tries) {
-  for (Explanation& e : judged(hypotheses, stage, tries)) found_.push_back(std::move(e));
-}
-
-bool Search::isExplained() const {
-  return std::any_of(found_.begin(), found_.end(), [&](const Explanation& e) {
-    const double grow = growthOf(e.hypothesis);
-    return e.evidence > kThreshold && (grow * e.largest <= within_ || grow * e.rms <= 1);
-  });
-}
-
-Fit Search::fitOf(const Hypothesis& h) const {
-  const CameraFile& file = trials_.file();
-  Fit fit{h.camera,         worldAt(file, trials_.plain().eye),
-          trials_.up(),     h.pixels(trials_.corners().first),
-          file.worldIsEcef, {}};
-  const std::size_t count = std::min<std::size_t>(500, pairs_.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pair& pair = pairs_[i * pairs_.size() / count];
-    fit.pairs.push_back({h.point(pair.point), h.pixel(pair.pixel)});
-  }
-  return fit;
-}
-
-std::vector<Hypothesis> Search::bestRows() const {
-  std::vector<Explanation> best = found_, apart;
-  std::erase_if(best, [](const Explanation& e) {
-    const Hypothesis& h = e.hypothesis;
-    return h.parameters > 0 || !(e.rms > 1e-2) || !(e.evidence > 0) || h.lensPasses != 0 || h.places != PlaceMap::none;
-  });
-  std::stable_sort(best.begin(), best.end(),
-                   [](const Explanation& a, const Explanation& b) { return a.evidence > b.evidence; });
-  std::vector<Hypothesis> rows;
-  for (const Explanation& e : best) {
-    if (std::any_of(apart.begin(), apart.end(), [&](const Explanation& other) { return isSame(e, other, false); }))
-      continue;
-    apart.push_back(e);
-    rows.push_back(e.hypothesis);
-    if (rows.size() == 6) break;
-  }
-  return rows;
-}
-
-std::vector<Hypothesis> Search::twoRows() const {
-  const auto isOfPixels = [](const Hypothesis& h) {
-    return h.movesPixels() && isIn(h, {"y-flipped", "y-flipped-index", "x-mirrored", "pixel-centre", "pixel-ratio",
-                                       "picture-turned", "row-column", "normalized", "ndc"});
-  };
-  const std::vector<Hypothesis> others =
-      someOf(rows_, [](const Hypothesis& h) { return !h.movesPixels() || isIn(h, {"pixel-centre"}); });
-  std::vector<Hypothesis> all = inTwos(someOf(rows_, isOfPixels), [&](const Hypothesis&) { return others; });
-  for (Hypothesis& two : inTwos(someOf(rows_, setsPose), [&](const Hypothesis& first) {
-         Trials after(changed(trials_.file(), patchesOf(first.sets), first.stretch));
-         addPoseRows(after);
-         std::vector<Hypothesis> seconds = after.take();
-         for (Hypothesis h : rows_) {  // a window is the same behind each pose
-           if (h.sets.empty() || setsPose(h)) continue;
-           h.camera.axes = first.camera.axes;
-           h.camera.eye = first.camera.eye;
-           seconds.push_back(std::move(h));
-         }
-         return seconds;
-       }))
-    all.push_back(std::move(two));
-  return all;
-}
-
-/// A mistake beside wrong pairs, at most a quarter, which are left out.
-std::vector<Explanation> Search::besideWrongPairs() const {
-  const std::size_t n = pairs_.size(), wrong = std::max<std::size_t>(1, n / 4);
-  if (n < 4) return {};
-  std::vector<Hypothesis> all = rows_;
-  const auto add = [&](const std::vector<Hypothesis>& some) { all.insert(all.end(), some.begin(), some.end()); };
-  const Fit fit = fitOf(nothing_);
-  if (fit.pairs.size() == n) add(families(fit, Table::simple, wrong));
-  if (fit.pairs.size() == n && n >= 8)
-    add(someOf(families(fit, Table::poses, wrong), [](const Hypothesis& h) { return h.parameters <= 6; }));
-  const double tries = static_cast<double>(all.size());
-  return judged(std::move(all), Stage::wrongPairs, tries, wrong);
-}
-
-/// Each pair has the pixel of one line, and not all their own.
-std::vector<Explanation> Search::pixelOrder() const {
-  constexpr std::size_t kMost = 2000;
-  if (pairs_.size() > kMost) return {};
-  Explanation e{.hypothesis = nothing_};
-  e.hypothesis.mistake = "pixel-order";
-  std::set<std::size_t> taken;
-  for (const Pair& pair : pairs_) {
-    const Vec2 at = pixelOf(trials_.plain(), pair.point);
-    const auto isNear = [&](const Pair& other) { return length(at - other.pixel) <= within_; };
-    const auto near = std::find_if(pairs_.begin(), pairs_.end(), isNear);
-    if (near == pairs_.end() || std::any_of(near + 1, pairs_.end(), isNear) || !taken.insert(near->line).second)
-      return {};
-    e.misses.push_back(at - near->pixel);
-    e.largest = std::max(e.largest, length(e.misses.back()));
-    e.rms = std::hypot(e.rms, length(e.misses.back()) / std::sqrt(2 * static_cast<double>(pairs_.size())));
-    if (near->line == pair.line) continue;
-    std::string& words = e.hypothesis.words;
-    words += (words.empty() ? "give line " : ", line ") + std::to_string(pair.line) + " the pixel of line " +
-             std::to_string(near->line);
-  }
-  return {e};
-}
-
-std::vector<Explanation> Search::explanations(bool keepsSame) {
-  const auto familiesAfter = [&](Table table) {
-    return [this, table](const Hypothesis& first) { return families(fitOf(first), table); };
-  };
-  seek(rows_, Stage::rows);
-  seek(families(fitOf(nothing_), Table::simple), Stage::families);
-  const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
-    std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
-    for (const double half : {0.5, -0.5}) {
-      Hypothesis centre{.mistake = "pixel-centre", .camera = first.camera};
-      centre.camera.centre = centre.camera.centre - Vec2{half, half};
-      all.push_back(std::move(centre));
-    }
-    return all;
-  });
-  seek(seconds, Stage::rest, 60 * static_cast<double>(seconds.size()));
-  std::vector<Hypothesis> turned = turnedPixels(rows_);
-  if (!isExplained()) {
-    seek(twoRows(), Stage::two);
-    std::vector<Hypothesis> firsts = someOf(rows_, [](const Hypothesis& h) { return isIn(h, {"distortion-ignored"}); });
-    firsts.insert(firsts.end(), turned.begin(), turned.end());
-    seek(inTwos(firsts, familiesAfter(Table::simple)), Stage::flips);
-  }
-  const double poses = static_cast<double>(countOf(Table::poses));
-  if (!isExplained()) seek(families(fitOf(nothing_), Table::poses), Stage::poses, poses);
-  if (!isExplained()) {
-    turned.resize(2, nothing_);
-    seek(inTwos(turned, familiesAfter(Table::poses)), Stage::flippedPoses, 2 * poses);
-  }
-  if (!isExplained()) {
-    const std::vector<Explanation> beside = listed(besideWrongPairs(), within_);
-    const auto isWorse = [&](const Explanation& e) { return weighted(e) < weighted(beside[0]); };
-    if (!beside.empty() && std::all_of(found_.begin(), found_.end(), isWorse)) return {beside[0]};
-  }
-  if (found_.empty()) return pixelOrder();
-  return listed(std::move(found_), within_, keepsSame);
-}
 
 }  // namespace
 
@@ -443,8 +475,8 @@ std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, co
   camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
   camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1])
                                                         : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
-  camera.lens = own.lens;
-  if (h.camera.terms == was.terms) camera.terms = own.terms;
+  camera.lensOfFile = own.lensOfFile;
+  if (h.camera.lens == was.lens) camera.lens = own.lens;
   return {anew};
 }
 

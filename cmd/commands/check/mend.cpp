@@ -52,11 +52,11 @@ Document withCamera(CameraFile file, const PlainCamera& from, const PlainCamera&
         file, isFlat ? orthographic(p.left(), p.right(), p.bottom(), p.top(), own.zNear(), own.zFar()) : p);
   }
   const Document changed = copied(file.document);
-  if (to.terms && to.terms != from.terms) {
-    std::vector<double> k(to.terms->k.begin(), to.terms->k.end());
+  if (to.lens && to.lens != from.lens) {
+    std::vector<double> k(to.lens->k.begin(), to.lens->k.end());
     while (k.size() > 1 && k.back() == 0) k.pop_back();
     Json lens{{"model", "brown"}, {"k", k}};
-    if (to.terms->p != std::array<double, 2>{}) lens["p"] = to.terms->p;
+    if (to.lens->p != std::array<double, 2>{}) lens["p"] = to.lens->p;
     (*changed.root)["distortion"] = std::move(lens);
   }
   return changed;
@@ -113,7 +113,7 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   const CameraFile base = changed(file, patchesOf(h.sets), h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
   const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
-  const bool isPose = h.camera.eye != own.eye || h.camera.axes != own.axes || h.camera.terms != own.terms;
+  const bool isPose = h.camera.eye != own.eye || h.camera.axes != own.axes || h.camera.lens != own.lens;
   const Mend ofFields{setsBetween(file.document, base.document), h.stretch, h.pixels};
   if (!isPose && times == Vec2{1, 1} && h.camera.centre == own.centre) return ofFields;
   const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
@@ -123,8 +123,14 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
       for (int digits = 3; digits <= kAllDigits; ++digits) {
         const Document rounded = copied(exact);
         roundChanged(*rounded.root, *base.document.root, digits);
-        const Mend tried{setsBetween(file.document, rounded), h.stretch, h.pixels};
-        if (rmsWith(file, tried, e, pairs) <= (digits < kAllDigits ? most : 1.01 * e.rms + 1e-3)) return tried;
+        Mend tried{setsBetween(file.document, rounded), h.stretch, h.pixels};
+        if (rmsWith(file, tried, e, pairs) > (digits < kAllDigits ? most : 1.01 * e.rms + 1e-3)) continue;
+        for (std::size_t i = tried.sets.size(); i-- > 0;) {  // what changes nothing
+          Mend fewer = tried;
+          fewer.sets.erase(fewer.sets.begin() + static_cast<std::ptrdiff_t>(i));
+          if (rmsWith(file, fewer, e, pairs) <= most) tried = fewer;
+        }
+        return tried;
       }
     } catch (const InputError&) {
     }

@@ -52,9 +52,9 @@ void readAsOther(Trials& t) {
 void turnEuler(Trials& t) {
   const Json* const euler = t.find("euler");
   if (!euler) return;
-  const std::string order = (*euler)["order"];
+  const EulerOrder own = valueOf(kEulerOrders, (*euler)["order"].get<std::string>());
   std::array<Json, 3> inRadians;
-  std::array<double, 3> angles{};
+  std::array<double, 3> angles{}, aboutAxes{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Json& angle = (*euler)["degrees"][i];
     if (!angle.is_number()) return;
@@ -62,15 +62,18 @@ void turnEuler(Trials& t) {
     angles[i] = angle;
   }
   t.change("radians", {{"euler.degrees", inRadians}});
-  std::string other = "XYZ";
-  do {
-    std::array<double, 3> byAxis{};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const std::size_t at = order.find(other[i]); at != order.npos) byAxis[i] = angles[at];
-    if (other == order) continue;
-    for (const auto& degrees : {angles, byAxis})
-      t.change("euler-order", {{"euler", {{"order", other}, {"degrees", degrees}}}}, other);
-  } while (std::next_permutation(other.begin(), other.end()));
+  for (std::size_t i = 0; i < 3; ++i) aboutAxes[own.axis[i]] = own.sign[i] * angles[own.listed[i]];
+  for (const auto& [name, other] : kEulerOrders) {
+    std::array<double, 3> sameTurns{};
+    for (std::size_t i = 0; i < 3; ++i) sameTurns[other.listed[i]] = other.sign[i] * aboutAxes[other.axis[i]];
+    if (other.axis[0] == other.axis[2] || name == (*euler)["order"]) continue;
+    for (const auto& degrees : {angles, sameTurns})
+      t.change("euler-order", {{"euler", {{"order", name}, {"degrees", degrees}}}}, name);
+  }
+  for (std::array<std::size_t, 3> from{0, 1, 2}; std::next_permutation(from.begin(), from.end());) {
+    const std::array<double, 3> degrees{angles[from[0]], angles[from[1]], angles[from[2]]};
+    t.change("euler-order", {{"euler.degrees", degrees}}, degrees);
+  }
   for (unsigned signs = 1; signs < 8; ++signs) {
     std::array<double, 3> signedAngles{}, value{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -93,6 +96,7 @@ void turnOnEarth(Trials& t) {
     t.change("heading-convention", {{"heading", v}}, v);
   for (const double v : {-p, p - 90, p + 90, 90 - p, -90 - p}) t.change("pitch-convention", {{"pitch", v}}, v);
   for (const double v : {-r, r + 180, r + 90, r - 90}) t.change("roll-convention", {{"roll", v}}, v);
+  if (r == 0) return;
   t.change("heading-convention", {{"heading", -h}, {"roll", -r}});
   t.change("pitch-convention", {{"pitch", -p}, {"roll", -r}});
 }

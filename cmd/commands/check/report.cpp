@@ -64,6 +64,13 @@ bool areWithin(std::span<const Vec2> misses, double within) {
   return std::all_of(misses.begin(), misses.end(), [&](const Vec2& miss) { return length(miss) <= within; });
 }
 
+/// Infinite where one has no pixel.
+double squaresOf(std::span<const Vec2> misses) {
+  double squares = 0;
+  for (const Vec2& miss : misses) squares += miss.x * miss.x + miss.y * miss.y;
+  return std::isnan(squares) ? HUGE_VAL : squares;
+}
+
 }  // namespace
 
 /// A camera with the pairs that are of it.
@@ -83,15 +90,16 @@ struct CheckedCamera {
     const ScreenPoint at = worldToScreen(*camera, point);
     const bool isSeen = at.status == PointStatus::inFront;
     if (isSeen != pixel.has_value()) ++noPixel;
-    if (!pixel) return std::nullopt;
-    const Vec2 miss = Vec2{at.x, at.y} - *pixel;
-    if (index % stride == 0) pairs.push_back({point, *pixel, line, miss});
+    const Vec2 given = pixel.value_or(Vec2{NAN, NAN});
+    Vec2 miss = Vec2{at.x, at.y} - given;
+    if (!isSeen && !pixel) miss = {};
+    if (index % stride == 0) pairs.push_back({point, given, line, miss});
     if (pairs.size() > most) {
       std::size_t place = 0;
       std::erase_if(pairs, [&](const Pair&) { return place++ % 2 == 1; });
       stride *= 2;
     }
-    if (!isSeen) return std::nullopt;
+    if (!isSeen || !pixel) return std::nullopt;
     const double distance = std::hypot(miss.x, miss.y);
     misses.add(std::isnan(distance) ? HUGE_VAL : distance, line);
     return distance;
@@ -109,6 +117,31 @@ struct CheckedCamera {
       if (!(length(pair.miss) <= within)) wrong.push_back(pair.line);
     const bool areFew = pairs.size() >= 4 && wrong.size() <= std::max<std::size_t>(1, pairs.size() / 4);
     return areFew ? wrong : std::vector<std::size_t>{};
+  }
+
+  /// In which mistakes are sought.
+  std::vector<Pair> pairsWithPixel() const {
+    std::vector<Pair> some = pairs;
+    std::erase_if(some, [](const Pair& pair) { return std::isnan(pair.pixel.x); });
+    return some;
+  }
+};
+
+/// What the cameras of a set then miss by, and how many of them are within the tolerance by the mistake's mend.
+struct Left {
+  std::size_t mended = 0, count = 0;
+  double squares = 0, largest = 0;
+  double cost = 0;  ///< the squares; infinite where a point has no pixel
+
+  void add(std::span<const Vec2> misses) {
+    cost += squaresOf(misses);
+    for (const Vec2& miss : misses) {
+      const double distance = length(miss);
+      if (std::isnan(distance)) continue;
+      ++count;
+      squares += distance * distance;
+      largest = std::max(largest, distance);
+    }
   }
 };
 
@@ -134,48 +167,62 @@ void PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::s
 std::size_t PairReport::records() const { return all_->records; }
 
 OrderedJson PairReport::explanations(const CheckedCamera& of) const {
-  std::vector<Explanation> found = explain(*of.file, of.pairs, within_, isSet_);
+  const std::vector<Pair> judged = of.pairsWithPixel();
+  std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_);
   struct Told {
     Mend mend;
-    std::size_t anew = 0, asItIs = 0;  ///< cameras that it brings within: made for each of them, or one mend for all
-    bool isHarmless = true;            ///< all cameras that agree do so with the mend
+    Left anew = {}, asItIs = {};  ///< made for each camera, or one mend for all
+    bool isHarmless = true;       ///< all cameras that agree do so with the mend
   };
   std::vector<Told> told;
-  for (const Explanation& e : found) told.push_back({mendOf(*of.file, e, of.pairs)});
+  for (const Explanation& e : found) told.push_back({mendOf(*of.file, e, judged)});
   for (const auto& [place, camera] : cameras_) {
     if (!isSet_) break;
     const std::vector<Hypothesis> rows = rowsOf(*camera->file);
+    const std::vector<Pair> pairs = camera->pairsWithPixel();
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const Hypothesis& h = found[i].hypothesis;
-      const auto explains = [&, &pairs = camera->pairs](const Hypothesis& its) {
-        return areWithin(missesOf(its, pairs), within_);
-      };
-      const std::vector<Hypothesis> its = madeAnew(h, *of.file, *camera->file, rows);
-      told[i].anew += std::any_of(its.begin(), its.end(), explains);
-      const auto misses = missesWith(*camera->file, told[i].mend, h, camera->pairs);
+      auto& [mend, anew, asItIs, isHarmless] = told[i];
+      std::vector<Vec2> best;
+      for (const Pair& pair : pairs) best.push_back(pair.miss);
+      bool isAnew = false;
+      for (const Hypothesis& its : madeAnew(found[i].hypothesis, *of.file, *camera->file, rows))
+        if (std::vector<Vec2> misses = missesOf(its, pairs); squaresOf(misses) < squaresOf(best)) {
+          best = std::move(misses);
+          isAnew = true;
+        }
+      anew.mended += isAnew && areWithin(best, within_);
+      anew.add(best);
+      const auto misses = missesWith(*camera->file, mend, found[i].hypothesis, pairs);
       const bool isMended = misses && areWithin(*misses, within_);
-      told[i].asItIs += isMended;
-      told[i].isHarmless &= isMended || !camera->agrees();
+      if (misses) asItIs.add(*misses);
+      asItIs.mended += isMended;
+      isHarmless &= misses && (isMended || !camera->agrees());
     }
   }
   std::size_t most = 0;
-  for (const Told& each : told) most = std::max({most, each.anew, each.asItIs});
+  for (const Told& each : told) most = std::max({most, each.anew.mended, each.asItIs.mended});
   OrderedJson list = OrderedJson::array();
   std::vector<const Explanation*> shown;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto& [mend, anew, asItIs, isHarmless] = told[i];
-    const Explanation& e = found[i];
-    const std::size_t mended = std::max(anew, asItIs);
+    Explanation& e = found[i];
+    const bool isOneMend = isHarmless && asItIs.mended >= anew.mended && asItIs.cost <= 1.01 * anew.cost + 1e-6;
+    const std::size_t mended = std::max(anew.mended, asItIs.mended);
     if (mended < most) continue;
     // Of the cameras, too, it is the same under another name.
     if (isSet_ && std::any_of(shown.begin(), shown.end(), [&](const auto* other) { return isSame(*other, e, true); }))
       continue;
     shown.push_back(&e);
+    if (isSet_) {  // what is told is of all cameras
+      const Left& left = isOneMend ? asItIs : anew;
+      e.rms = std::sqrt(left.squares / static_cast<double>(2 * left.count));
+      e.largest = left.largest;
+    }
     const bool isOfOne = isSet_ && mended <= 1 && cameras_.size() > 1;
     list.push_back({{"mistake", e.hypothesis.mistake},
                     {"sentence", sentenceOf(*of.file, e, within_) + (isOfOne ? " (" + of.name + " alone)" : "")},
                     {"value", e.hypothesis.value},
-                    {"mend", orNull(isHarmless && asItIs >= anew ? mend.options() : "")},
+                    {"mend", orNull(isOneMend ? mend.options() : "")},
                     {"pairs", orNull(wordsForPairs(e.hypothesis, mend.pixels))},
                     {"rmsMiss", std::numbers::sqrt2 * e.rms},
                     {"largestMiss", e.largest},
@@ -189,7 +236,7 @@ OrderedJson PairReport::report() const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
   std::vector<const CheckedCamera*> open;  // that disagree, by more than a few wrong pairs
-  std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairs.size();
+  std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairsWithPixel().size();
   bool agrees = true;
   for (const auto& [place, camera] : cameras_) {
     noPixel += camera->noPixel;
@@ -200,13 +247,16 @@ OrderedJson PairReport::report() const {
     agrees = false;
     const std::vector<std::size_t> lines = camera->wrongLines();
     wrong.insert(wrong.end(), lines.begin(), lines.end());
-    if (lines.empty() && !camera->pairs.empty()) open.push_back(camera.get());
+    const std::vector<Pair> pairs = camera->pairsWithPixel();
+    const bool agree =
+        std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
+    if (lines.empty() && !agree) open.push_back(camera.get());
   }
   std::sort(wrong.begin(), wrong.end());
   std::stable_sort(open.begin(), open.end(), [](const auto* a, const auto* b) { return a->rms() < b->rms(); });
   if (!open.empty()) {  // sought for the one in the middle, and tried on all
     const CheckedCamera& middle = *open[open.size() / 2];
-    judged = middle.pairs.size();
+    judged = middle.pairsWithPixel().size();
     wrong.clear();
     list = explanations(middle);
   }

@@ -9,6 +9,7 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
+constexpr double kRounding = 1e-9;  // of numbers beside larger ones
 constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture"},
@@ -48,7 +49,7 @@ constexpr Mistake kMistakes[] = {
     {"eye-target-exchanged", "eye and target are exchanged"},
     {"unit", "one side has another unit: {0} times {1}"},
     {"point-axes", "the points have other axes: {}"},
-    {"euler-order", "the angles go with another order of turns: {}"},
+    {"euler-order", "the angles are in another order: {}"},
     {"euler-sign", "an angle has the other sign: {}"},
     {"heading-convention", "heading is counted the other way, or from elsewhere"},
     {"pitch-convention", "pitch is counted the other way, or from elsewhere"},
@@ -86,23 +87,26 @@ double largestOf(const Json& value) {
 
 /// Of numbers beside larger ones, rounding is not shown.
 std::string shown(const Json& value, double largest) {
-  if (value.is_number()) return largestOf(value) < 1e-9 * largest ? "0" : formatDigits(value, 4);
+  if (value.is_number()) return largestOf(value) < kRounding * largest ? "0" : formatDigits(value, 4);
   if (!value.is_array()) return value.is_string() ? value.get<std::string>() : "another";
   std::string text;
   for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part, largest);
   return text;
 }
 
-std::string sentence(std::string_view mistake, const Json& value) {
+std::string sentence(std::string_view mistake, const Json& value, bool isOnEarth) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
-    return sentence(mistake.substr(0, plus), value[0]) + "; " + sentence(mistake.substr(plus + 3), value[1]);
+    return sentence(mistake.substr(0, plus), value[0], isOnEarth) + "; " +
+           sentence(mistake.substr(plus + 3), value[1], isOnEarth);
   std::string text(kMistakes[placeOf(mistake)].meaning);
   for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{')) {
     const std::size_t close = text.find('}');
     const Json& part = close == open + 1 ? value : value[static_cast<std::size_t>(text[open + 1] - '0')];
     text.replace(open, close - open + 1, shown(part, largestOf(value)));
   }
-  return text;
+  constexpr std::string_view kShifts[] = {"eye", "pose", "pose-and-focal-length", "another-camera"};
+  const bool isShift = std::find(std::begin(kShifts), std::end(kShifts), mistake) != std::end(kShifts);
+  return text + (!isOnEarth ? "" : isShift ? " m (east, north, up)" : mistake == "height" ? " m" : "");
 }
 
 /// ": heading 72.4 for 69.2", where up is known and the camera is turned.
@@ -112,12 +116,15 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
     const auto [heading, pitch, roll] = headingPitchRollOf(pose, file.worldIsEcef);
     return std::array{heading.value < 0 ? heading.value + 360 : heading.value, pitch.value, roll.value};
   };
-  const auto was = degreesOf(plainPose(*file.pose)), is = degreesOf(poseOf(to));
+  const PlainPose own = plainPose(*file.pose);
+  // On the Earth the angles of an eye that is moved alone change with its place.
+  if (apart(own.forward, to.axes[2]) + apart(own.right, to.axes[0]) < kRounding) return "";
+  const auto was = degreesOf(own), is = degreesOf(poseOf(to));
   std::string text;
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::fabs(is[i] - was[i]) > 1e-9)
+    if (std::fabs(std::remainder(is[i] - was[i], 360)) > kRounding * 360)
       text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) +
-              formatDigits(is[i], 4) + " for " + formatDigits(was[i], 4);
+              shown(is[i], 360) + " for " + shown(was[i], 360);
   return text;
 }
 
@@ -162,7 +169,8 @@ std::string shownLines(std::span<const std::size_t> lines) {
 }
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
-  std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value) + turnsOf(file, e.hypothesis.camera);
+  std::string words =
+      sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera);
   if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";

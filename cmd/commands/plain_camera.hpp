@@ -11,7 +11,7 @@
 #include "viewproj/camera.hpp"
 #include "viewproj/lens.hpp"
 
-namespace viewproj::cmd::mistakes {
+namespace viewproj::cmd {
 
 /// Rows of a 3x3 matrix.
 using Rows = std::array<Vec3, 3>;
@@ -38,22 +38,28 @@ inline double angleOf(const Rows& r) { return std::atan2(length(skewOf(r)), r[0]
 
 inline Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
 inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
-using cmd::length;
 
-/// Brown's radial and tangential terms, for a lens of these alone.
-struct BrownTerms {
-  std::array<double, 3> k{};
+/// The numbers of a lens, as viewproj/lens.hpp has them. All 0: the pinhole.
+struct PlainLens {
+  bool isAngle = false;  ///< fisheye and fov
+  double xi = 0, alpha = 0, beta = 1, across = 1;
+  std::array<double, 6> k{};
   std::array<double, 2> p{};
-  double limit = HUGE_VAL;  ///< of the square of the radius before the lens
-  friend bool operator==(const BrownTerms&, const BrownTerms&) = default;
+  double limitCosine = 0;  ///< of the angle from the axis from which on it sees nothing
+
+  /// Whether it has Brown's radial and tangential terms alone.
+  bool isBrown() const { return !isAngle && xi == 0 && alpha == 0 && k[3] == 0 && k[4] == 0 && k[5] == 0; }
+  /// Of focal length 1. NaN for what it does not see.
+  Vec2 operator()(const Vec3& direction) const;
+  friend bool operator==(const PlainLens&, const PlainLens&) = default;
 };
 
 struct PlainCamera {
   Rows axes;  ///< right, down and forward in the world
   Vec3 eye;
-  Vec2 focal, centre;  ///< in pixels; focal.y is negative where y runs upwards
-  std::optional<Lens> lens = {};
-  std::optional<BrownTerms> terms = {};  ///< in place of lens: a quick form of it, or one that is sought
+  Vec2 focal, centre;                   ///< in pixels; focal.y is negative where y runs upwards
+  std::optional<PlainLens> lens = {};   ///< of lensOf, or one that is sought
+  std::optional<Lens> lensOfFile = {};  ///< undistorts
   bool isOrthographic = false;
 };
 
@@ -70,4 +76,4 @@ Vec3 rayOf(const PlainCamera& camera, const Vec2& pixel);
 Vec2 withoutLens(const PlainCamera& camera, const Vec2& pixel);
 Vec2 bentAgain(const PlainCamera& camera, const Vec2& pixel);
 
-}  // namespace viewproj::cmd::mistakes
+}  // namespace viewproj::cmd

@@ -1,23 +1,14 @@
-#include "commands/check/plain_camera.hpp"
+#include "commands/plain_camera.hpp"
 
 #include <algorithm>
 #include <numbers>
 
 #include "viewproj/matrices.hpp"
 
-namespace viewproj::cmd::mistakes {
+namespace viewproj::cmd {
 namespace {
 
 constexpr Vec2 kNone{NAN, NAN};
-
-/// NaN where the lens folds: where its radius no longer grows.
-Vec2 bent(const BrownTerms& lens, double x, double y) {
-  const auto& [k1, k2, k3] = lens.k;
-  const auto& [p1, p2] = lens.p;
-  const double u = x * x + y * y, g = 1 + u * (k1 + u * (k2 + u * k3));
-  if (!(u < lens.limit && g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
-  return {x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x), y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y};
-}
 
 /// In the picture of focal length 1, from its centre; and back.
 Vec2 unitOf(const PlainCamera& camera, const Vec2& pixel) {
@@ -27,15 +18,39 @@ Vec2 inPixels(const PlainCamera& camera, const Vec2& at) {
   return {camera.focal.x * at.x + camera.centre.x, camera.focal.y * at.y + camera.centre.y};
 }
 
-std::optional<BrownTerms> termsOf(const std::optional<Lens>& lens) {
-  if (!lens || lens->model() != LensModel::brown) return std::nullopt;
-  const auto& [k1, k2, k3, k4, k5, k6] = lens->k();
-  if (k4 != 0 || k5 != 0 || k6 != 0) return std::nullopt;
-  const double limit = std::tan(std::min(lens->limitDegrees(), 90.0) * std::numbers::pi / 180);
-  return BrownTerms{{k1, k2, k3}, lens->p(), limit * limit};
+std::optional<PlainLens> plainOf(const std::optional<Lens>& lens) {
+  if (!lens) return std::nullopt;
+  const bool isFov = lens->model() == LensModel::fov, isBrown = lens->model() == LensModel::brown;
+  return PlainLens{
+      .isAngle = isFov || lens->model() == LensModel::fisheye,
+      .xi = lens->xi(),
+      .alpha = lens->alpha(),
+      .beta = lens->beta(),
+      .across = isFov ? 2 * std::tan(lens->omega() / 2) : 1,
+      .k = lens->k(),
+      .p = lens->p(),
+      .limitCosine = std::cos(std::min(lens->limitDegrees(), isBrown ? 90.0 : 180.0) * std::numbers::pi / 180)};
 }
 
 }  // namespace
+
+Vec2 PlainLens::operator()(const Vec3& d) const {
+  const double square = d.x * d.x + d.y * d.y, size = std::sqrt(square + d.z * d.z);
+  if (!(d.z > limitCosine * size)) return kNone;
+  const auto& [k1, k2, k3, k4, k5, k6] = k;
+  if (isAngle) {
+    const double r = std::sqrt(square), t = std::atan2(across * r, d.z), u = t * t;
+    const double by = r > 0 ? t * (1 + u * (k1 + u * (k2 + u * (k3 + u * k4)))) / (across * r) : 1 / d.z;
+    return {d.x * by, d.y * by};
+  }
+  const double ahead = d.z + xi * size;
+  const double divisor = alpha == 0 ? ahead : alpha * std::sqrt(beta * square + ahead * ahead) + (1 - alpha) * ahead;
+  const double x = d.x / divisor, y = d.y / divisor, u = x * x + y * y, g = 1 + u * (k1 + u * (k2 + u * k3));
+  // One that is sought ends where the radius no longer grows.
+  if (isBrown() && !(g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
+  const double by = g / (1 + u * (k4 + u * (k5 + u * k6))), along = by + 2 * (p[0] * y + p[1] * x);
+  return {(1 + xi) * (x * along + p[1] * u), (1 + xi) * (y * along + p[0] * u)};
+}
 
 Rows turn(const Vec3& vector) {
   const double angle = length(vector);
@@ -60,8 +75,8 @@ PlainCamera plainOf(const Camera& camera) {
           .eye = camera.pose().eye(),
           .focal = {k.fx, downwards * k.fy},
           .centre = {k.cx, k.cy},
-          .lens = lensOf(camera),
-          .terms = termsOf(lensOf(camera)),
+          .lens = plainOf(lensOf(camera)),
+          .lensOfFile = lensOf(camera),
           .isOrthographic = camera.projection().isOrthographic()};
 }
 
@@ -77,15 +92,13 @@ Vec3 wayTo(const PlainCamera& camera, const Vec4& p) {
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& p) {
   const Vec3 at = camera.axes * wayTo(camera, p);
   if (camera.isOrthographic) return p.w == 0 ? kNone : inPixels(camera, {at.x, at.y});
-  if (camera.lens && !camera.terms) return inPixels(camera, distorted(*camera.lens, at));
-  if (!(at.z > 0)) return kNone;
-  const Vec2 seen{at.x / at.z, at.y / at.z};
-  return inPixels(camera, camera.terms ? bent(*camera.terms, seen.x, seen.y) : seen);
+  if (camera.lens) return inPixels(camera, (*camera.lens)(at));
+  return at.z > 0 ? inPixels(camera, {at.x / at.z, at.y / at.z}) : kNone;
 }
 
 Vec3 rayOf(const PlainCamera& camera, const Vec2& pixel) {
   const Vec2 at = unitOf(camera, pixel);
-  const Vec3 ray = camera.lens ? undistorted(*camera.lens, at) : Vec3{at.x, at.y, 1};
+  const Vec3 ray = camera.lensOfFile ? undistorted(*camera.lensOfFile, at) : Vec3{at.x, at.y, 1};
   return std::isfinite(ray.x + ray.y) ? unit(ray) : Vec3{};
 }
 
@@ -96,7 +109,7 @@ Vec2 withoutLens(const PlainCamera& camera, const Vec2& pixel) {
 
 Vec2 bentAgain(const PlainCamera& camera, const Vec2& pixel) {
   const Vec2 at = unitOf(camera, pixel);
-  return inPixels(camera, distorted(*camera.lens, {at.x, at.y, 1}));
+  return camera.lens ? inPixels(camera, (*camera.lens)({at.x, at.y, 1})) : kNone;
 }
 
-}  // namespace viewproj::cmd::mistakes
+}  // namespace viewproj::cmd
