@@ -457,6 +457,7 @@ row("info", "--which K", holds("reads no K", lambda before, after: before.out !=
     None, "--to json", records="K: [500 0 320; 0 500 240; 0 0 1]\n")
 row("info", "--at 2,4", says(r'"distance": 4,'))
 row("depth", "--at 2,4", says(r'"distance": 4,'))
+row("depth", "--gap 0.5", says(r'"d16": 0.07547'), beside="--at 50 --to json")
 row("depth", "--depth 0.5", says(r'"depths": \[{"depth": 0.5, "distance": 0.19'))
 row("check", "--within 999", says('"agrees": true'))
 row(REPORTS, "--to csv", holds("is no CSV", lambda before, after: "," in after.out.split("\n")[0] and "{" not in after.out))
