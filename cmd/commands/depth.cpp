@@ -75,7 +75,7 @@ double floatDepthStep(const DepthMapping& m, double distance) {
 
 /// A step of depth as a length. Surfaces at v < w differ in depth by slope (1/v - 1/w), in orthographic slope (w - v).
 /// Nothing is known better than to half a step of the distance's own float32.
-double gapOf(const DepthMapping& m, double step, double distance) {
+double lengthOf(const DepthMapping& m, double step, double distance) {
   const double rate = std::fabs(nearestDouble(slope(m)));
   const double gap = m.projection.isOrthographic() ? step / rate : distance / (1 + rate / distance / step);
   return std::max(gap, floatStep(distance) / 2);
@@ -86,6 +86,45 @@ double gapOf(const DepthMapping& m, double step, double distance) {
 double unormStep(const DepthMapping& m, int bits) {
   const double largest = std::ldexp(1.0, bits) - 1, range = std::max(m.atNear, m.atFar);
   return range <= 1 ? 1 / largest : range <= largest ? 1 : NAN;
+}
+
+double floatStepOf(DepthMapping m, double distance, bool isReversed) {
+  if (isReversed != (m.atFar < m.atNear)) std::swap(m.atNear, m.atFar);
+  return floatDepthStep(m, distance);
+}
+
+struct Buffer {
+  const char* name;
+  double (*step)(const DepthMapping& m, double distance);
+};
+constexpr Buffer kBuffers[] = {
+    {"d16", [](const DepthMapping& m, double) { return unormStep(m, 16); }},
+    {"d24", [](const DepthMapping& m, double) { return unormStep(m, 24); }},
+    {"f32", [](const DepthMapping& m, double distance) { return floatStepOf(m, distance, false); }},
+    {"f32Reversed", [](const DepthMapping& m, double distance) { return floatStepOf(m, distance, true); }},
+};
+
+/// NaN where the camera does not see the distance, or the buffer does not hold its depths.
+double gapOf(const Buffer& buffer, const DepthMapping& m, double distance) {
+  if (!(distance >= m.projection.zNear() && distance <= m.projection.zFar())) return NAN;
+  const double step = buffer.step(m, distance);
+  return step > 0 ? lengthOf(m, step, distance) : NAN;
+}
+
+/// A near plane with which the buffer resolves the gap at the distance, and with a nearer one it does not: 0 where any
+/// does, NaN where none does.
+double nearFor(const Buffer& buffer, const DepthMapping& m, double gap, double distance) {
+  const auto resolves = [&](double near) {
+    DepthMapping there = m;
+    there.projection = perspectiveWindow(-1, 1, -1, 1, near, m.projection.zFar());
+    return gapOf(buffer, there, distance) <= gap;
+  };
+  double high = std::min(distance, m.projection.zFar() * (1 - 0x1p-20)), low = high * 0x1p-64;
+  if (!resolves(high)) return NAN;
+  if (resolves(low)) return 0;
+  for (double middle = std::sqrt(low * high); low < middle && middle < high; middle = std::sqrt(low * high))
+    (resolves(middle) ? high : low) = middle;
+  return high;
 }
 
 OrderedJson reportOf(const DepthMapping& m) {
@@ -100,20 +139,10 @@ OrderedJson reportOf(const DepthMapping& m) {
 
 OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances) {
   OrderedJson report = reportOf(m), rows = OrderedJson::array();
-  DepthMapping forward = m, reversed = m;
-  std::tie(forward.atNear, forward.atFar) = std::minmax(m.atNear, m.atFar);
-  std::tie(reversed.atFar, reversed.atNear) = std::minmax(m.atNear, m.atFar);
   for (const double w : distances) {
-    const bool isSeen = w >= m.projection.zNear() && w <= m.projection.zFar();
-    const auto gap = [&](double step) { return isSeen && step > 0 ? gapOf(m, step, w) : NAN; };
     const Wide squared = m.projection.isOrthographic() ? Wide(1) : Wide(w) * Wide(w);
-    rows.push_back({{"distance", w},
-                    {"depth", depthAt(m, w)},
-                    {"slope", nearestDouble(slope(m) / squared)},
-                    {"d16", gap(unormStep(m, 16))},
-                    {"d24", gap(unormStep(m, 24))},
-                    {"f32", gap(floatDepthStep(forward, w))},
-                    {"f32Reversed", gap(floatDepthStep(reversed, w))}});
+    rows.push_back({{"distance", w}, {"depth", depthAt(m, w)}, {"slope", nearestDouble(slope(m) / squared)}});
+    for (const Buffer& buffer : kBuffers) rows.back()[buffer.name] = gapOf(buffer, m, w);
   }
   report["distances"] = std::move(rows);
   report["notes"] = {
@@ -139,6 +168,22 @@ OrderedJson distanceReport(const DepthMapping& m, std::span<const double> depths
   }
   report["depths"] = std::move(rows);
   return report;
+}
+
+OrderedJson nearReport(const DepthMapping& m, double gap, std::span<const double> distances) {
+  OrderedJson rows = OrderedJson::array();
+  for (const double w : distances) {
+    if (!(w <= m.projection.zFar()))
+      throw UsageError("--at " + formatNumber(w) + ": lies beyond far, " + formatNumber(m.projection.zFar()));
+    rows.push_back({{"distance", w}});
+    for (const Buffer& buffer : kBuffers) rows.back()[buffer.name] = nearFor(buffer, m, gap, w);
+  }
+  return {{"gap", gap},
+          {"far", m.projection.zFar()},
+          {"nears", std::move(rows)},
+          {"notes",
+           {"The near plane with which each buffer tells surfaces so far apart from one another at the distance; a "
+            "nearer one does not. 0: any near does; none: no near does."}}};
 }
 
 std::vector<double> usualDistances(const Projection& p) {
@@ -171,13 +216,14 @@ namespace {
 struct DepthOptions {
   CameraOptions camera;
   std::optional<std::vector<double>> at, depths;
+  std::optional<double> gap;
   ReportOptions report;
 };
 
 int runDepth(const DepthOptions& o) {
   const CameraFile file = o.camera.read();
   if (!file.projection) throw InputError(file.name + ": the camera has no projection");
-  requireNear(file, "depth");
+  if (!o.gap) requireNear(file, "depth");
   const Viewport viewport = file.viewport.value_or(Viewport{});
   DepthMapping mapping{*file.projection, viewport.depthFirst, viewport.depthSecond, file.convention.ndcZ};
   if (file.convention.reverseZ) std::swap(mapping.atNear, mapping.atFar);
@@ -187,10 +233,15 @@ int runDepth(const DepthOptions& o) {
     o.report.write(distanceReport(mapping, *o.depths), "depths");
     return 0;
   }
+  if (o.gap && file.projection->isOrthographic())
+    throw UsageError("--gap is of a perspective: an orthographic camera resolves the same at every distance");
   for (const double distance : o.at.value_or(std::vector<double>()))
     if (!file.projection->isOrthographic() && !(distance > 0))
       throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
-  o.report.write(depthReport(mapping, o.at ? *o.at : usualDistances(*file.projection)), "distances");
+  if (o.gap)
+    o.report.write(nearReport(mapping, *o.gap, *o.at), "nears");
+  else
+    o.report.write(depthReport(mapping, o.at ? *o.at : usualDistances(*file.projection)), "distances");
   return 0;
 }
 
@@ -204,6 +255,7 @@ Action declareDepth(CLI::App& app) {
       "for d16, d24 and f32 (forward and reversed) to tell them apart. Lengths are in the camera's unit.",
       "Examples:\n"
       "  viewproj depth --near 0.1 --far 1000 --at 1,10,100\n"
+      "  viewproj depth --far 5000 --gap 0.1 --at 2000\n"
       "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true \\\n"
       "    --depth 0.5,0.001");
   CLI::Option* const at =
@@ -211,6 +263,9 @@ Action declareDepth(CLI::App& app) {
                "Distances along the viewing axis (default: decades from near to far)");
   exclude(addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),
                    "Turn these window depths into distances along the viewing axis"),
+          at);
+  require(addValue(app, "--gap", "LENGTH", o->gap, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
+                   "Tell which near resolves this gap at the distances of --at"),
           at);
   o->report.add(app, 8);
   o->camera.addFile(app);

@@ -149,3 +149,36 @@ TEST_CASE("The gap of a buffer is the length over which it stores one value, cou
   CHECK(counted > 1500);
   CHECK(tight > counted / 3);
 }
+
+TEST_CASE("With the near plane of a gap the buffer resolves it, and with one a little nearer it does not") {
+  int found = 0, any = 0, none = 0;
+  for (std::uint64_t trial = 0; trial < 400; ++trial) {
+    Random random(trial + 58000000);
+    DepthMapping m = randomMapping(random);
+    if (m.projection.isOrthographic()) continue;
+    if (random.chance(0.3)) m.ndcZ = NdcZ::minusOneToOne;
+    const double w = randomDistance(random, m.projection), gap = w * random.logUniform(1e-9, 2);
+    const OrderedJson row = nearReport(m, gap, std::span(&w, 1))["nears"][0];
+    for (const char* const buffer : {"d16", "d24", "f32", "f32Reversed"}) {
+      INFO("trial " << trial << ", " << buffer << ", distance " << w << ", gap " << gap);
+      const auto gapWith = [&](double near) {
+        DepthMapping there = m;
+        there.projection = perspectiveWindow(-1, 1, -1, 1, near, m.projection.zFar());
+        return at(there, w, buffer);
+      };
+      const double near = row[buffer].get<double>();
+      if (std::isnan(near)) {
+        CHECK(!(gapWith(w * (1 - 0x1p-19)) <= gap * (1 - 1e-5)));
+        ++none;
+      } else if (near == 0) {
+        CHECK(gapWith(w * 1e-19) <= gap * 2);  // a step may double below
+        ++any;
+      } else {
+        CHECK(gapWith(near) <= gap);
+        CHECK(!(gapWith(near * (1 - 1e-15)) <= gap));
+        ++found;
+      }
+    }
+  }
+  CHECK(std::min({found, any, none}) > 50);
+}
