@@ -286,7 +286,7 @@ def area_through(lens):
         return -0.5 <= 458 * (x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x)) + cx <= 639.5 and (
             -0.5 <= 458 * (y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y) + cy <= 479.5)
 
-    turns, radii, total = 2000, 40, 0
+    turns, radii, total = 1000, 24, 0
     for i in range(turns):
         c, s = math.cos(2 * math.pi * i / turns), math.sin(2 * math.pi * i / turns)
         was, before = is_in(0, 0), 0
