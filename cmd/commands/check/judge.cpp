@@ -96,7 +96,7 @@ double allowanceOf(const Explanation& e, const Explanation& best, double within)
   const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
   const int more = parametersOf(e) - parametersOf(best);
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
-  if (isOneOfTwo && e.largest <= within) return HUGE_VAL;
+  if (isOneOfTwo && growthOf(e.hypothesis) * e.largest <= within) return HUGE_VAL;
   if (more < 0 && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
   return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
