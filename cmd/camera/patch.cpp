@@ -55,11 +55,14 @@ Json eulerOf(const std::string& text) {
 
 }  // namespace
 
-/// A place, and behind a blank its turn: "1,2,3 rpy:0,0,90".
+/// A place, and behind a blank its turn, if it has one: "1,2,3 rpy:0,0,90".
 std::optional<Json> poseOfText(const std::string& text) {
   const std::size_t blank = text.find(' '), colon = text.find(':', blank);
-  const auto place = blank == std::string::npos ? std::nullopt : parseNumberList(text.substr(0, blank));
-  if (!place || colon == std::string::npos) return std::nullopt;
+  const auto place = parseNumberList(text.substr(0, blank));
+  constexpr std::size_t kAxes = 3;
+  if (place && place->size() == kAxes && blank == std::string::npos)
+    return Json{{"translation", *place}, {"rotation", {0, 0, 0, 1}}};
+  if (!place || blank == std::string::npos || colon == std::string::npos) return std::nullopt;
   const std::string turn = text.substr(blank + 1);
   Json pose{{"translation", *place}};
   if (turn.starts_with("quaternion:") || turn.starts_with("quat:"))
