@@ -205,18 +205,31 @@ std::size_t CameraSet::choose(const std::optional<std::string>& pick) const {
   if (!found.empty())
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
                      inQuotes(*pick) + "; pick one by its number: " + someOf(found));
-  throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(*pick) + "; it has " + someOf(all()));
+  failPick(*pick);
 }
 
 std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& pick) const {
   if (!pick) return all();
-  if (pick->find('*') == std::string::npos || !called(*pick).empty()) return {choose(pick)};
+  if (!called(*pick).empty()) return {choose(pick)};
+  const bool isPattern = pick->find('*') != std::string::npos;
+  const std::string pattern = isPattern ? *pick : *pick + (pick->ends_with('/') ? "*" : "/*");
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < size(); ++i)
-    if (matches(import_.cameras[i].name, *pick)) found.push_back(i);
-  if (found.empty())
-    throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(*pick) + "; it has " + someOf(all()));
+    if (matches(import_.cameras[i].name, pattern)) found.push_back(i);
+  if (found.empty()) failPick(*pick);
   return found;
+}
+
+void CameraSet::failPick(const std::string& pick) const {
+  const std::string others = otherWorlds();
+  throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + someOf(all()) +
+                   (others.empty() ? "" : ", and the same in other worlds, " + others));
+}
+
+std::string CameraSet::otherWorlds() const {
+  std::string text;
+  for (const std::string& world : import_.worlds) text += (text.empty() ? "#" : ", #") + world + "*";
+  return text;
 }
 
 Document CameraSet::document(std::size_t which) const {

@@ -36,6 +36,9 @@ struct Import {
   /// Of bare matrices and of plain text the text, which may be matrices where it makes no camera; null for others.
   std::shared_ptr<const std::string> matricesText = nullptr;
   std::string noun = "camera";  ///< in messages about picks
+  /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
+  std::vector<std::string> worlds = {};
+  bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
 
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
     cameras.push_back({std::move(cameraName), std::move(id), std::move(document), std::move(own)});
@@ -85,7 +88,8 @@ class CameraSet {
   std::string pickOf(std::size_t which) const;
   /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
   std::size_t choose(const std::optional<std::string>& pick) const;
-  /// All cameras without a pick; those that match a pick with a * in it; else the one that choose() finds.
+  /// All cameras without a pick; those that match a pick with a * in it, or stand in the world or folder that it names;
+  /// else the one that choose() finds.
   std::vector<std::size_t> chooseAll(const std::optional<std::string>& pick) const;
   /// The camera that a record names, as choose() finds it; nothing if there is none or more than one. Constant time.
   std::optional<std::size_t> find(std::string_view name) const;
@@ -96,12 +100,16 @@ class CameraSet {
   std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
   /// See Import.
   const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
+  /// "#velodyne/*, #imu/*"; or empty.
+  std::string otherWorlds() const;
+  bool mayLackPose() const { return import_.mayLackPose; }
 
  private:
   std::vector<std::size_t> all() const;
   /// The cameras of a name, or else of an id; or else the camera of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string someOf(const std::vector<std::size_t>& cameras) const;
+  [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;
   bool isTyped_ = false;

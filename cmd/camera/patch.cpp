@@ -57,8 +57,10 @@ Json eulerOf(const std::string& text) {
 
 std::optional<Json> poseOfText(const std::string& text) {
   const std::size_t blank = text.find(' ');
-  const auto place = blank == std::string::npos ? std::nullopt : parseNumberList(text.substr(0, blank));
-  if (!place || place->size() < 2) return std::nullopt;
+  const auto place = parseNumberList(text.substr(0, blank));
+  if (place && place->size() == 3 && blank == std::string::npos)
+    return Json{{"translation", *place}, {"rotation", {0, 0, 0, 1}}};
+  if (!place || place->size() < 2 || blank == std::string::npos) return std::nullopt;
   const std::string turn = text.substr(blank + 1), order = turn.substr(0, turn.find(':'));
   Json pose{{"translation", *place}};
   const auto numbers = [&] { return listOrObject(turn.substr(order.size() + 1)); };

@@ -187,7 +187,8 @@ OrderedJson infoReport(const CameraFile& file, const std::string& name, std::spa
 
 /// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
 /// InputError, and CameraError naming a field of the pose.
-OrderedJson cameraRow(const std::string& name, const Document& document, const NameRow<EulerOrder>* angles) {
+OrderedJson cameraRow(const std::string& name, const Document& document, bool mayLackPose,
+                      const NameRow<EulerOrder>* angles) {
   const FieldValues values = readValues(document);
   const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
     const Json* const value = valueAt(*document.root, path);
@@ -198,8 +199,10 @@ OrderedJson cameraRow(const std::string& name, const Document& document, const N
     size = {width, valueOr("viewport.height", nullptr)};
   const DocumentConvention convention = readConvention(values);
   const std::optional<Pose> pose = readPose(values, convention);
-  OrderedJson row{
-      {"name", name}, {"type", valueOr("projection.type", nullptr)}, {"size", size}, {"pose", pose.has_value()}};
+  OrderedJson row{{"name", name},
+                  {"type", valueOr("projection.type", nullptr)},
+                  {"size", size},
+                  {"pose", pose.has_value() && !(mayLackPose && !hasPose(*document.root))}};
   if (angles) row["angles"] = anglesOf(*angles, values, *convention.preset, pose);
   return row;
 }
@@ -246,19 +249,25 @@ struct InfoOptions {
 int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<std::string>& pick) {
   OrderedJson rows = OrderedJson::array();
   int status = 0;
+  std::string last;  // of one fault of the file for every camera
+  const auto tell = [&](const std::string& message) {
+    if (message != last) complain(message);
+    last = message;
+    status = 1;
+  };
   for (const std::size_t i : cameras.chooseAll(pick)) {
     const std::string name = cameras.pickOf(i);
     try {
-      rows.push_back(cameraRow(name, cameras.document(i), o.angles));
+      rows.push_back(cameraRow(name, cameras.document(i), cameras.mayLackPose(), o.angles));
     } catch (const CameraError& e) {
-      complain(name + ": " + e.what());
-      status = 1;
+      tell(name + ": " + e.what());
     } catch (const InputError& e) {
-      complain(e.what());
-      status = 1;
+      tell(e.what());
     }
   }
-  o.report.write({{"cameras", rows}}, "cameras");
+  if (!rows.empty() || o.report.form() == ReportForm::json) o.report.write({{"cameras", rows}}, "cameras");
+  if (const std::string others = cameras.otherWorlds(); !others.empty() && !pick)
+    note(cameras.name() + ": has the same cameras in other worlds: " + others);
   return status;
 }
 

@@ -11,6 +11,7 @@
 #include "formats/format.hpp"
 #include "formats/poses.hpp"
 #include "formats/value.hpp"
+#include "formats/words.hpp"
 #include "formats/writer.hpp"
 #include "text/csv.hpp"
 #include "text/names.hpp"
@@ -19,8 +20,8 @@
 namespace viewproj::cmd {
 namespace table {
 
-/// The first of these names the camera.
-constexpr std::string_view kNameColumns = "name camera image file FileName label id time";
+/// The first of these names the camera, in any letter case.
+constexpr std::string_view kNameColumns = "name camera image imagename file filename photoid label id time";
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
@@ -29,51 +30,56 @@ constexpr std::string_view kWritten =
     "viewport.height "
     "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
 
-bool isWord(std::string_view text, std::string_view words) {
-  const std::vector<std::string_view> all = wordsIn(words);
-  return std::find(all.begin(), all.end(), text) != all.end();
-}
-
 /// "k1" of "k1" and "distortion.k1"; empty for a column of something else.
 std::string_view coefficientOf(std::string_view column) {
   constexpr std::string_view kFront = "distortion.";
   if (column.starts_with(kFront)) column.remove_prefix(kFront.size());
-  return isWord(column, kCoefficients) ? column : "";
+  return isAmong(column, kCoefficients) ? column : "";
 }
 
 /// Where the value of a column stands in our document; empty: it is no field of ours.
 std::string pathOf(std::string_view column, bool isOnEarth) {
-  if (isWord(column, "distortion.model model camera_model distortion_model")) return "distortion.model";
+  if (isAmong(column, "distortion.model model camera_model distortion_model")) return "distortion.model";
   return pathOfColumn(column, isOnEarth);
 }
 
+/// The cell of a column, whose name counts in any letter case.
+std::optional<Node> cellAt(const Node& row, std::string_view name) {
+  for (const auto& [column, cell] : row.json().items())
+    if (sameButForCase(column, name)) return row.find(column);
+  return std::nullopt;
+}
+
 bool isOnEarth(const Json& row) {
-  return row.contains("lat") || row.contains("latitude") || row.contains("position.lat");
+  return std::any_of(row.items().begin(), row.items().end(),
+                     [](const auto& column) { return pathOfColumn(column.key(), true) == "position.lat"; });
 }
 
 bool isEmpty(const Json& cell) {
   return cell.is_null() || (cell.is_string() && cell.get_ref<const std::string&>().empty());
 }
 
-std::string nameOf(const Json& row) {
+std::string nameOf(const Node& row) {
   for (const std::string_view column : wordsIn(kNameColumns))
-    if (const auto cell = row.find(column); cell != row.end() && !isEmpty(*cell))
-      return cell->is_number() ? formatNumber(cell->get<double>()) : cell->is_string() ? cell->get<std::string>() : "";
+    if (const auto cell = cellAt(row, column); cell && !isEmpty(cell->json())) {
+      cell->mark();
+      return cell->json().is_number() ? formatNumber(cell->number()) : cell->json().is_string() ? cell->text() : "";
+    }
   return "";
 }
 
 constexpr std::string_view kOpk[] = {"omega", "phi", "kappa"}, kRpy[] = {"roll", "pitch", "yaw"};
 
-bool isOpk(const Json& row) {
-  return std::all_of(std::begin(kOpk), std::end(kOpk), [&](std::string_view name) { return row.contains(name); });
+bool isOpk(const Node& row) {
+  return std::all_of(std::begin(kOpk), std::end(kOpk), [&](std::string_view name) { return cellAt(row, name); });
 }
 
 /// The columns of a row's turns, where they are no heading: their order, and their names as it lists them. The yaw of a
 /// robot turns the other way than that of a compass.
 std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row) {
-  if (isOpk(row.json())) return {{"opk", kOpk}};
-  const auto yaw = row.find("yaw"), order = row.find("order");
-  if (!yaw || isOnEarth(row.json()) || row.find("heading")) return std::nullopt;
+  if (isOpk(row)) return {{"opk", kOpk}};
+  const auto yaw = cellAt(row, "yaw"), order = cellAt(row, "order");
+  if (!yaw || isOnEarth(row.json()) || cellAt(row, "heading")) return std::nullopt;
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name != "rpy")
@@ -87,13 +93,14 @@ bool recognises(const Node& root) {
   const Json& rows = root.json();
   if (!rows.is_array() || rows.empty() || !rows.front().is_object()) return false;
   const Json& row = rows.front();
-  bool hasPosition = false, hasTurn = false, hasLens = false;
+  const bool onEarth = isOnEarth(row);
+  bool hasPosition = false, hasTurn = isOpk(root[0]), hasLens = false;
   for (const auto& [column, cell] : row.items()) {
     if (cell.is_structured()) return false;
-    const std::string path = pathOf(column, isOnEarth(row)), first = path.substr(0, path.find('.'));
+    const std::string path = pathOf(column, onEarth), first = path.substr(0, path.find('.'));
     hasPosition = hasPosition || first == "position";
     hasLens = hasLens || first == "projection";
-    hasTurn = hasTurn || isWord(first, "rotation heading target direction") || (column == "omega" && isOpk(row));
+    hasTurn = hasTurn || isAmong(first, "rotation heading target direction");
   }
   return hasPosition && (hasLens || (hasTurn && !holdsPoses(root)));
 }
@@ -104,19 +111,21 @@ using Paths = std::unordered_map<std::string, std::string>;
 Json documentOf(const Node& row, const Paths& paths) {
   const bool onEarth = isOnEarth(row.json());
   // Only an orthographic camera has a window of a size.
-  const bool isPerspective = std::any_of(row.json().items().begin(), row.json().items().end(), [](const auto& column) {
-    return isWord(column.key(), "fx fy fovX fovY fovDiagonal focalLength");
+  const bool isPerspective = std::any_of(row.json().items().begin(), row.json().items().end(), [&](const auto& column) {
+    const auto* const field = findField(pathOf(column.key(), onEarth));
+    return field && field->types != 0 && (field->types & kOrthographic) == 0;
   });
   Json fields = Json::object();
   const auto turns = turnsOf(row);
   std::vector<Json> degrees(3, 0);
   const auto putTurn = [&](std::string_view column, const Node& cell) {
-    if (column == "order") {
+    if (sameButForCase(column, "order")) {
       cell.mark();
       return true;
     }
     if (!turns) return false;
-    const auto at = std::find(turns->second.begin(), turns->second.end(), column);
+    const auto at = std::find_if(turns->second.begin(), turns->second.end(),
+                                 [&](std::string_view name) { return sameButForCase(name, column); });
     if (at == turns->second.end()) return false;
     degrees[static_cast<std::size_t>(at - turns->second.begin())] = numberOf(cell);
     return true;
@@ -127,15 +136,16 @@ Json documentOf(const Node& row, const Paths& paths) {
     if (isEmpty(cell)) continue;
     const Node node = *row.find(column);
     if (putTurn(column, node)) continue;
-    const bool isSize = (column == "width" || column == "height") && !onEarth;
+    const std::string side = lowered(column);
+    const bool isSize = (side == "width" || side == "height") && !onEarth;
     if (isSize && !isPerspective)
-      node.fail("may be the picture's or the window's: call it viewport." + column + " or projection." + column);
+      node.fail("may be the picture's or the window's: call it viewport." + side + " or projection." + side);
     if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
       coefficients.emplace_back(coefficient, numberOf(node));
       continue;
     }
     const auto found = paths.find(column);
-    const std::string path = isSize                 ? "viewport." + column
+    const std::string path = isSize                 ? "viewport." + side
                              : found == paths.end() ? pathOf(column, onEarth)
                                                     : found->second;
     if (path.empty()) continue;
@@ -167,7 +177,7 @@ Import open(const Node& root) {
   for (std::size_t i = 0; i < root.size(); ++i) {
     const Node row = root[i];
     result.add(
-        row.json().is_object() ? nameOf(row.json()) : "", "", [row, paths] { return documentOf(row, *paths); }, row);
+        row.json().is_object() ? nameOf(row) : "", "", [row, paths] { return documentOf(row, *paths); }, row);
   }
   return result;
 }
@@ -244,7 +254,7 @@ Cells cellsOf(const WrittenCamera& camera) {
 }  // namespace table
 
 extern const Format kTable{
-    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, table::kNameColumns, table::recognises};
+    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, "r1* r2* r3*", table::recognises};
 
 std::vector<WrittenFile> writeTable(std::span<const WrittenCamera> cameras, std::string_view) {
   std::vector<table::Cells> rows;

@@ -7,6 +7,7 @@
 
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -20,11 +21,12 @@ constexpr std::string_view
     kOfD =
         "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs distcoef distcoefs coeff "
         "coeffs lens kappa radial dc coef coefs coefficients kc",
-    kOfS = "size resolution res dimension dimensions shape wh hw image", kOfR = "r rot rotation rotate rmat rotmat",
+    kOfS = "size resolution res dimension dimensions shape wh hw image",
+    kOfR = "r rot rotation rotate rmat rotmat camrot",
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
     kOfQ = "q quat quaternion quaternions orientation rotation qvec rot",
     kOfT = "t tvec tvecs trans translation translations translate tc",
-    kOfE = "position pos center centre eye origin location loc",
+    kOfE = "position pos campos center centre eye origin location loc",
     kOfX =
         "t tf tr rt transform transformation extrinsic extrinsics extr pose poses rig view world toworld cam camera "
         "body w2c c2w bs sc imu lidar velo matrix ext tcl tlc tcw twc",
@@ -34,6 +36,7 @@ constexpr std::string_view kBoxes =
     "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
     "frames calibrated perspective cv mode projection transform the of to from image images img p w h fx fy cx cy f "
+    "focal princpt "
     "fov "
     "width height vec";
 
@@ -43,8 +46,8 @@ struct ScalarNames {
 constexpr ScalarNames kScalars[] = {
     {"fx", "fx fxpixels fxpixel flx focalx fu focallengthx focallengthxpx fxpx camerafx fpx"},
     {"fy", "fy fypixels fypixel fly focaly fv focallengthy focallengthypx fypx camerafy fpy"},
-    {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x"},
-    {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y"},
+    {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x mx"},
+    {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y my"},
     {"f", "f focal focallength focallengthpx focalpx fpix"},
     {"w",
      "width sensorwidthpixels widthpixels w rwidth imagewidth imgwidth cols wpx renderwidth framewidth nx imagesizex "
@@ -66,6 +69,14 @@ std::string_view scalarOf(std::string_view letters) {
   for (const auto& [kind, names] : kScalars)
     if (isAmong(letters, names)) return kind;
   return isAmong(letters, kPlainScalars) ? letters : "";
+}
+
+/// A focal length, a centre or a size that is the first or the last of a name's words, and which of them.
+std::pair<std::string_view, std::size_t> scalarAmong(const std::vector<std::string>& words) {
+  for (const std::size_t at : {std::size_t{0}, words.size() - 1})
+    if (words.size() > 1 && words[at].size() > 1 && isAmong(scalarOf(words[at]), "fx fy cx cy w h"))
+      return {scalarOf(words[at]), at};
+  return {"", 0};
 }
 
 bool areAll(const std::vector<double>& numbers, bool (*fits)(double)) {
@@ -122,7 +133,7 @@ constexpr Look kLooks[] = {{"K", "9", isK, kOfK, 1, Look::numbers, "", "", false
                            {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "", false},
                            {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
                            {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
-                           {"C", "2", isCentre, "cc principalpoint pp center c", 0, Look::letters}};
+                           {"C", "2", isCentre, "cc principalpoint princpt pp center c", 0, Look::letters}};
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 
@@ -182,6 +193,8 @@ class Finder {
         add(std::string(kind), steps, n, 2);
       else if (const std::string_view other = scalarOf(bare); isAmong(other, "w h fx fy cx cy"))
         add(std::string(other), steps, n, 1);
+      else if (const std::string_view beside = scalarAmong(wordsOf(key)).first; !beside.empty())
+        add(std::string(beside), steps, n, 1);
       return;
     }
     const double noise = hasWord(key, kNoise) ? -3 : 0;
@@ -330,6 +343,14 @@ std::string Candidate::path() const {
 
 Candidates candidatesIn(const Document& file) { return Finder(file).find(); }
 
+std::string besideScalar(std::string_view name) {
+  std::vector<std::string> words = wordsOf(name.substr(name.rfind('.') + 1));
+  const auto [kind, at] = scalarAmong(words);
+  if (kind.empty() || !scalarOf(lettersOf(name)).empty()) return "";
+  words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+  return joined(words, "_");
+}
+
 std::vector<std::string> findTag(const Candidate& candidate) {
   std::vector<std::string> tag;
   for (std::size_t i = 0; i < candidate.steps.size(); ++i) {
@@ -341,7 +362,9 @@ std::vector<std::string> findTag(const Candidate& candidate) {
     if (isLast && isScalar) {
       const std::size_t dot = step.rfind('.');
       const std::size_t digits = step.find_last_not_of("0123456789") + 1;
+      const std::string beside = besideScalar(step);
       step = dot != std::string::npos            ? step.substr(0, dot)
+             : !beside.empty()                   ? beside
              : scalarOf(lettersOf(step)).empty() ? step.substr(digits)
                                                  : "";
     }

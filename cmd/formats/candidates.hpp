@@ -34,6 +34,9 @@ using Candidates = std::vector<std::shared_ptr<const Candidate>>;
 /// Every one of them, those that stand for several included. At most 20,000.
 Candidates candidatesIn(const Document& file);
 
+/// "color" of fx_color, depthWidth without width: the words beside the name of a scalar; empty where it is alone.
+std::string besideScalar(std::string_view name);
+
 /// The tag of a candidate without one.
 std::vector<std::string> findTag(const Candidate& candidate);
 

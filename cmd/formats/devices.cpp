@@ -1,9 +1,13 @@
-// Pictures of phones and drones. Sources: ARKit, whose pixels count centres; DJI's XMP tags.
+// Pictures of phones and drones, and views of headsets. Sources: ARKit, whose pixels count centres; DJI's XMP tags;
+// XrView of OpenXR.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/sea_level.hpp"
 #include "formats/format.hpp"
 #include "formats/value.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace devices {
@@ -45,38 +49,84 @@ std::optional<double> cellOf(const Node& row, std::string_view name) {
   return number->front();
 }
 
+std::string fileOf(const Node& row) {
+  const std::string file = textAt(row, "FileName");
+  return file.empty() ? textAt(row, "SourceFile") : file;
+}
+
 /// A row of exiftool's table.
 Json pictureOf(const Node& row) {
-  const auto cell = [&](std::string_view name) {
+  const auto cell = [&](std::string_view name, const std::string& otherwise = "") {
     const auto number = cellOf(row, name);
-    if (!number) row.fail("needs " + std::string(name));
+    if (!number)
+      throw InputError(row.document().name + ": " + fileOf(row) + ": needs " + std::string(name) + otherwise);
     return *number;
   };
-  Json camera{
-      {"position", {{"lat", cell("GPSLatitude")}, {"lon", cell("GPSLongitude")}, {"height", cell("AbsoluteAltitude")}}},
-      {"heading", cell("GimbalYawDegree")},
-      {"pitch", cell("GimbalPitchDegree")},
-      {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
+  // DJI's is above the ellipsoid where the drone has RTK; the camera's own is above sea level.
+  const auto altitude = cellOf(row, "AbsoluteAltitude") ? std::nullopt : cellOf(row, "GPSAltitude");
+  Json camera{{"position",
+               {{"lat", cell("GPSLatitude")},
+                {"lon", cell("GPSLongitude")},
+                {altitude && hasGeoid() ? "altitude" : "height",
+                 altitude ? *altitude : cell("AbsoluteAltitude", " or GPSAltitude")}}},
+              {"heading", cell("GimbalYawDegree")},
+              {"pitch", cell("GimbalPitchDegree")},
+              {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
   const auto w = cellOf(row, "ImageWidth"), h = cellOf(row, "ImageHeight");
   if (w && h) camera["viewport"] = {{"width", *w}, {"height", *h}};
   if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && row.find("DewarpData"))
     row.find("DewarpData")->fail("is the lens of these pictures, which is not read; dewarp them, or leave it out");
-  // From options otherwise: FocalLengthIn35mmFormat is a whole number, and 2 % off at 24.
   const auto f = cellOf(row, "CalibratedFocalLength"), x = cellOf(row, "CalibratedOpticalCenterX"),
              y = cellOf(row, "CalibratedOpticalCenterY");
   if (f && x && y) {
     camera["projection"] = {{"type", "intrinsics"}, {"fx", *f}, {"fy", *f}, {"cx", *x}, {"cy", *y}};
     if (w && h) camera["projection"]["pixels"] = {*w, *h};
+  } else if (const auto equivalent = cellOf(row, "FocalLengthIn35mmFormat"); equivalent && *equivalent > 0) {
+    // A whole number, 2 % off at 24, that stands for the diagonal of 36 x 24 mm.
+    camera["projection"] = {
+        {"type", "perspective"}, {"focalLength", *equivalent}, {"sensorDiagonal", std::hypot(36, 24)}};
   }
   return camera;
 }
 
 Import openPictures(const Node& root) {
   Import result;
-  for (std::size_t i = 0; i < root.size(); ++i) {
-    const std::string file = textAt(root[i], "FileName");
-    result.add(file.empty() ? textAt(root[i], "SourceFile") : file, "", [row = root[i]] { return pictureOf(row); });
-  }
+  for (std::size_t i = 0; i < root.size(); ++i)
+    result.add(fileOf(root[i]), "", [row = root[i]] { return pictureOf(row); });
+  return result;
+}
+
+/// An XrView. The window of an eye need not be symmetric.
+Json viewOf(const Node& view) {
+  const Node fov = view.require("fov"), pose = view.require("pose");
+  const auto tangent = [&](const char* angle) { return std::tan(numberOf(fov.require(angle))); };
+  const double left = tangent("angleLeft"), right = tangent("angleRight"), down = tangent("angleDown"),
+               up = tangent("angleUp");
+  const double width = right - left, height = up - down;
+  if (!(width > 0 && height > 0)) fov.fail("expected angleLeft below angleRight and angleDown below angleUp");
+  return {{"convention", "opengl"},
+          {"position", numbersOf(pose.require("position"), 3)},
+          {"rotation", numbersOf(pose.require("orientation"), 4)},
+          {"projection",
+           {{"type", "perspective"},
+            {"fovY", formatNumber(2 * std::atan(height / 2)) + "rad"},
+            {"aspect", width / height},
+            {"shift", {-(left + right) / width, -(down + up) / height}}}}};
+}
+
+Import openViews(const Node& root) {
+  const Node views = root.find("views").value_or(root);
+  Import result;
+  const auto add = [&](const std::string& name, const Node& view) {
+    result.add(
+        name, "", [view] { return viewOf(view); }, view);
+  };
+  if (views.json().is_array())
+    for (std::size_t i = 0; i < views.size(); ++i) add("", views[i]);
+  else if (views.find("fov"))
+    add("", views);
+  else
+    for (const auto& [name, view] : views.json().items()) add(name, views.require(name));
   return result;
 }
 
@@ -84,6 +134,9 @@ Import openPictures(const Node& root) {
 
 extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
                              "cameraPoseARFrame intrinsics:9 projectionMatrix:16", devices::openFrame, "*"};
+extern const Format kOpenXr{"openxr", "views of OpenXR",
+                            "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft !camera_path", devices::openViews,
+                            "type next viewState*"};
 extern const Format kExif{"exiftool", "a drone table of exiftool -n", ":list *.GPSLatitude *.GimbalYawDegree",
                           devices::openPictures, "*"};
 

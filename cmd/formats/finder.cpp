@@ -100,9 +100,9 @@ std::vector<Scalars> scalarsOf(const Candidates& all) {
     if (each->numbers.size() != 1) continue;
     std::string key = each->isStarred() ? "*" + std::to_string(each->at) + "/" + std::to_string(each->star.size()) : "";
     for (std::size_t i = 0; i + 1 < each->steps.size(); ++i) key += "\n" + each->steps[i];
-    // Camera1.fx and Camera2.fx of one object are of two cameras.
+    // Camera1.fx and Camera2.fx of one object are of two cameras, and so are fx_color and fx_depth.
     const std::string& last = each->steps.back();
-    key += "\n" + (last.rfind('.') == std::string::npos ? "" : last.substr(0, last.rfind('.')));
+    key += "\n" + (last.rfind('.') == std::string::npos ? "" : last.substr(0, last.rfind('.'))) + besideScalar(last);
     boxes[key].emplace(each->kind, each);
   }
   std::vector<Scalars> list;
@@ -139,7 +139,7 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     add("R", together(box, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}), 2);
     add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
     add("T", together(box, {"tx", "ty", "tz"}), 2);
-    add("E", together(box, {"x", "y", "z"}), 1);
+    if (!box.contains("w")) add("E", together(box, {"x", "y", "z"}), 1);  // w: x y z of a quaternion
     add("E", together(box, {"gx", "gy", "pz"}), 1);
   }
 }
@@ -148,7 +148,7 @@ constexpr std::string_view
     kToWorld =
         "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
         "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
-        "cam_to_base cam_to_lidar cam_to_vehicle camera_to_lidar matrix_world cameraextrinsicmat",
+        "cam_to_base cam_to_lidar cam_to_velo cam_to_vehicle camera_to_lidar matrix_world cameraextrinsicmat",
     kToCamera =
         "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "

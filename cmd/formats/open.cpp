@@ -17,9 +17,9 @@ namespace viewproj::cmd {
 namespace {
 
 /// The formats that have a file; the order does not matter, for one at most claims a file.
-constexpr const Format* kFormats[] = {&kGltf,     &kThreeJs, &kTransforms,    &kMetashape, &kMetashapeLens,
-                                      &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,   &kExif,
-                                      &kTable,    &kScanner, &kKalibr,        &kPoses,     &kMatrices};
+constexpr const Format* kFormats[] = {
+    &kGltf,    &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses,
+    &kBundler, &kExif,    &kTable,      &kScanner,   &kOpenXr,        &kKalibr,   &kPoses,   &kMatrices};
 
 /// Our own form may have names of others, as fx and cx in a projection.
 bool isOurs(const Json& root) {
@@ -59,20 +59,29 @@ std::vector<Claim> claimsOf(const Node& root, bool all) {
   return found;
 }
 
-bool isInOtherWorld(std::string_view name) {
+/// "velodyne/" of velodyne/P2: a camera of another world than the file's own. Other slashes belong to names.
+std::string worldOf(std::string_view name) {
   for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
-    if (name.starts_with(world)) return true;
-  return false;
+    if (name.starts_with(world)) return world;
+  return "";
 }
 
 /// Keeps the cameras of the file's own world, or those of the world that is picked: the same cameras, seen from
 /// elsewhere.
-void keepWorld(std::vector<CameraEntry>& cameras, const std::string& pick) {
-  const bool isOther = isInOtherWorld(pick);
-  const auto isLeftOut = [&](const CameraEntry& camera) {
-    return isOther ? !camera.name.starts_with(pick.substr(0, pick.find('/') + 1)) : isInOtherWorld(camera.name);
-  };
-  if (!std::all_of(cameras.begin(), cameras.end(), isLeftOut)) std::erase_if(cameras, isLeftOut);
+void keepWorld(Import& file, const std::string& pick) {
+  const std::string world = worldOf(pick + "/");
+  const auto isLeftOut = [&](const CameraEntry& camera) { return worldOf(camera.name) != world; };
+  if (std::all_of(file.cameras.begin(), file.cameras.end(), isLeftOut)) {  // it has one world, which needs no name
+    for (CameraEntry& camera : file.cameras)
+      if (world.empty() && !pick.empty()) camera.name.erase(0, worldOf(camera.name).size());
+    return;
+  }
+  for (const CameraEntry& camera : file.cameras)
+    if (isLeftOut(camera) &&
+        std::find(file.worlds.begin(), file.worlds.end(), worldOf(camera.name)) == file.worlds.end())
+      file.worlds.push_back(worldOf(camera.name));
+  std::erase(file.worlds, "");
+  std::erase_if(file.cameras, isLeftOut);
 }
 
 /// What makes no camera, in plain text or of numbers alone, may be matrices.
@@ -115,7 +124,8 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
           readAs(row, preset);
           return std::move(*row.root);
         };
-    keepWorld(result.cameras, opening.pick.value_or(""));
+    keepWorld(result, opening.pick.value_or(""));
+    result.mayLackPose = true;
     if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), claim.known);
   }
@@ -170,14 +180,6 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
 constexpr const char* kPoseFields[] = {"position", "rotation",        "target",         "direction",
                                        "up",       "euler",           "heading",        "pitch",
                                        "roll",     "worldFromCamera", "cameraFromWorld"};
-
-/// Whether a camera stands anywhere but at the origin.
-bool hasPose(const Json& camera) {
-  const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
-  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
-    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
-  });
-}
 
 /// A camera's document at the product of poses, for the one of each factor or that of a number.
 Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
@@ -266,6 +268,13 @@ std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patch
   std::string name = splitPick(opening.poses.front()).file;
   result = atPoses(std::move(result), opening, name);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
+}
+
+bool hasPose(const Json& camera) {
+  const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
+  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
+    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
+  });
 }
 
 std::vector<FormatName> formatNames() {

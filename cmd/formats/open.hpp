@@ -36,6 +36,9 @@ std::unique_ptr<CameraSet> openDocument(Document file, const Opening& opening, C
 /// The cameras of options alone, at the poses of a file.
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches);
 
+/// Whether a camera's document has another pose than that of a file which gives none.
+bool hasPose(const Json& camera);
+
 /// Formats in the order of help: a row for each name.
 struct FormatName {
   std::string_view name, form;

@@ -1,5 +1,5 @@
 // Sources: KITTI odometry (12 numbers a line), TUM RGB-D (time, place, quaternion), EuRoC's ground truth, ScanNet and
-// 7-Scenes (4 lines of 4), OpenCV's solvePnP.
+// 7-Scenes (4 lines of 4), PandaSet (position, heading), OpenCV's solvePnP.
 #include "formats/poses.hpp"
 
 #include <algorithm>
@@ -30,6 +30,9 @@ constexpr Form kForms[] = {
     {":list *.time~ *.tx|*.x|*.p_RS_R_x~ *.qw|*.q_RS_w~",
      "name=*.time~, worldFromCamera.translation=*.tx|*.x|*.p_RS_R_x~+*.ty|*.y|*.p_RS_R_y~+*.tz|*.z|*.p_RS_R_z~, "
      "worldFromCamera.quaternion=*.qx|*.q_RS_x~+*.qy|*.q_RS_y~+*.qz|*.q_RS_z~+*.qw|*.q_RS_w~"},
+    {":list *:few *.position:3 *.heading:4|*.rotation:4|*.orientation:4",
+     "worldFromCamera.translation=*.position, worldFromCamera.quaternion=*.heading|*.rotation|*.orientation", "",
+     false},
     {":list :M", "worldFromCamera=.", "", false},
     {":MN", "worldFromCamera=*", "", false},
     {":QN", "name=*[0], worldFromCamera.translation=*[1:4], worldFromCamera.quaternion=*[4:8]"},

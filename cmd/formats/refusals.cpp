@@ -57,6 +57,9 @@ constexpr Refusal kRefusals[] = {
      "is what MATLAB shows; write its K as JSON: jsonencode(struct('K', intrinsics.K))"},
     {"heading,pitch,roll,f,px,py", false,
      "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side"},
+    {"X/Longitude,Y/Latitude", false,
+     "is a reference of Metashape, which is not read: its pitch is 0 straight down; export the cameras as XML, or as "
+     "omega, phi, kappa"},
     {"<sdf ", false,
      "is SDF, which is not read; give horizontal_fov to --fov-x and the pose to --position and --euler"},
     {"<mujoco", false,

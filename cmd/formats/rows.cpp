@@ -45,13 +45,16 @@ namespace {
 #define OPENCV "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES ", " MODELS
 #define VIEWS(R, T) "*: " OPENCV ", cameraFromWorld.rotationVector=" R ", cameraFromWorld.translation=" T "\nK: " OPENCV
 #define INTRINSICS(P) "K=" P "fx+" P "fy+" P "cx+" P "cy"
-#define ORB(C) INTRINSICS(C ".") ", size?=Camera.width+Camera.height, "
-#define ORB_BROWN(C) ORB(C) "lens?=" C ".#"
-#define ORB_FISHEYE(C) ORB(C) "fisheye=" C ".k1+" C ".k2+" C ".k3+" C ".k4"
+#define ORB(C) INTRINSICS(C ".") ", size?=Camera.width+Camera.height"
+#define ORB_BROWN(C) ORB(C) ", lens?=" C ".#"
+#define ORB_FISHEYE(C) ORB(C) ", fisheye=" C ".k1+" C ".k2+" C ".k3+" C ".k4"
 #define ORB_3(LENS) \
   "Camera1: " LENS("Camera1") "\nCamera2: " LENS("Camera2") ", worldFromCamera=Stereo.T_c1_c2\n" \
   "body/Camera1: " LENS("Camera1") ", worldFromCamera=IMU.T_b_c1"
-#define ORB_NOTHING "Camera.* ORB* Viewer* ThDepth DepthMapFactor IMU* RGBD* System* "
+// ORB-SLAM3 makes its pictures smaller by itself.
+#define ORB_NOTHING                                                                                                   \
+  "?Camera.new* ?Camera.imageScale Camera.fps Camera.RGB Camera.bf Camera.lapping* Camera.overlapping* ORB* Viewer* " \
+  "ThDepth DepthMapFactor IMU* RGBD* System* "
 // A camera beside the first, along its x.
 #define BESIDE(X) ", position=" X "+0+0, worldFromCamera.quaternion=0+0+0+1"
 #define STEREO(N, SIDE)                                                                               \
@@ -74,9 +77,10 @@ constexpr Row kRows[] = {
      "rectified: P=*.projection, size=/image.width+/image.height",
      "rectification"},
     {"opencv", "a calibration of OpenCV (YAML, XML, JSON, .npz)",
-     K_SHAPES " !projection_matrix !P:12 !p:12 !rvecs.0:3 !extrinsic_parameters !rVector !T_BS !/camera_poses "
-              "!rotation:4 !/cameraPoseARFrame !cameras.0 !poses:list !#3 !camera_data_ !image.width !class_name "
-              "!world_mat_0",
+     K_SHAPES
+     " !projection_matrix !P:12 !p:12 !rvecs.0:3 !extrinsic_parameters !rVector !T_BS !/camera_poses "
+     "!rotation:4 !/0.rotation:3 !/cameraPoseARFrame !cameras.0 !poses:list !#3 !camera_data_ !image.width !class_name "
+     "!world_mat_0",
      "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES "|distortion_coefficients.#|distortion.#|dist.#, xi?=xi|Xi, " MODELS
      ", " POSES ", near?=near, far?=far, name?=name",
      NOTHING_READ, ". r3live_vio camera * cameras.*"},

@@ -1,8 +1,10 @@
 #include "formats/unread.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -10,6 +12,7 @@
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -55,6 +58,38 @@ bool isNothing(const std::vector<double>& m) {
   return true;
 }
 
+/// Numbers of the lens and the picture that a file may say twice, under one of these names.
+constexpr std::pair<std::string_view, std::string_view> kTwice[] = {{"fx", "fx flx focalx fu"},
+                                                                    {"fy", "fy fly focaly fv"},
+                                                                    {"cx", "cx ppx u0 cu"},
+                                                                    {"cy", "cy ppy v0 cv"},
+                                                                    {"width", "width w imagewidth"},
+                                                                    {"height", "height h imageheight"},
+                                                                    {"fovX", "fovx hfov cameraanglex"},
+                                                                    {"fovY", "fovy vfov cameraangley"}};
+constexpr std::string_view kSizes = "size imagesize imgsize imageresolution cameraresolution resolution";
+
+/// What a camera has of these; nothing if its file does not say.
+std::optional<double> statedOf(const Json& camera, std::string_view name) {
+  const auto at = [&](const char* object, const auto& member) -> std::optional<double> {
+    const Json& value = camera.value(Json::json_pointer(std::string("/") + object + "/" + std::string(member)), Json());
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  };
+  const bool isAcross = name == "width" || name == "fovX";
+  if (name == "width" || name == "height") {
+    const auto pixels = at("projection/pixels", isAcross ? "0" : "1");
+    return pixels ? pixels : at("viewport", name);
+  }
+  if (!name.starts_with("fov")) return at("projection", name);
+  const auto f = at("projection", isAcross ? "fx" : "fy"), side = statedOf(camera, isAcross ? "width" : "height");
+  if (!f || !side || camera.contains("distortion")) return std::nullopt;
+  return 2 * std::atan(*side / *f / 2) * 180 / std::numbers::pi;
+}
+
+bool areNear(double a, double b, double part, double least) {
+  return std::fabs(a - b) <= std::max(part * std::fabs(b), least);
+}
+
 bool isCoefficient(std::string_view name) {
   const std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
   return letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
@@ -97,7 +132,7 @@ class Unread {
   Json document(const CameraEntry& camera, std::size_t which) {
     const std::lock_guard lock(mutex_);
     Json made = camera.document();
-    if (std::string names = known_.front() == "*" ? "" : judge(camera.own); !names.empty())
+    if (std::string names = known_.front() == "*" ? "" : judge(camera.own, made); !names.empty())
       notes_[which] = std::move(names);
     return made;
   }
@@ -108,7 +143,7 @@ class Unread {
   }
 
  private:
-  std::string judge(const std::optional<Node>& own) {
+  std::string judge(const std::optional<Node>& own, const Json& camera) {
     if (!shared_) {
       Lists lists;
       walk(Node(*file_), "", 0, Nearness::far, lists);
@@ -122,16 +157,44 @@ class Unread {
     }
     constexpr std::size_t kMost = 8;
     std::vector<std::string> names;
-    for (const Left& left : lists.left) judge(left, lists, names);
-    for (const Left& left : shared_->left) judge(left, lists, names);
+    for (const std::vector<Left>* list : {&lists.left, &shared_->left})
+      for (const Left& left : *list)
+        if (!isSaidTwice(left, camera)) judge(left, lists, names);
     const bool isMore = names.size() > kMost;
     names.resize(std::min(names.size(), kMost));
     return joined(names) + (isMore ? " and more" : "");
   }
 
-  bool isKnown(std::string_view name) const {
-    return std::any_of(known_.begin(), known_.end(),
-                       [&](std::string_view pattern) { return fitsPattern(name, pattern); });
+  bool isKnown(std::string_view name, std::string_view front = "") const {
+    return std::any_of(known_.begin(), known_.end(), [&](std::string_view pattern) {
+      return pattern.starts_with(front) && fitsPattern(name, pattern.substr(front.size()));
+    });
+  }
+
+  /// Whether a member says what the camera has already. Throws if it says otherwise: but for half a pixel, which is
+  /// another way to count, and for rounded angles.
+  static bool isSaidTwice(const Left& left, const Json& camera) {
+    const std::string letters = lettersOf(left.name);
+    if (left.nearness != Nearness::beside || hasWord(left.name, kNoise)) return false;
+    const auto fail = [&](std::string_view name, double stated) {
+      left.node.fail("differs from the camera's " + std::string(name) + ", " + formatDigits(stated, 6) +
+                     "; take one of them out");
+    };
+    const std::vector<double>& n = left.numbers;
+    for (const auto& [name, names] : kTwice) {
+      const auto stated = n.size() == 1 && isAmong(letters, names) ? statedOf(camera, name) : std::nullopt;
+      if (!stated) continue;
+      const bool isAngle = name.starts_with("fov"), isCentre = name[0] == 'c';
+      constexpr double kMostRadians = 3.2;
+      const double value = isAngle && n[0] < kMostRadians ? n[0] * 180 / std::numbers::pi : n[0];
+      if (!areNear(value, *stated, isAngle ? 0.01 : 0.001, isCentre ? 0.5 : 0)) fail(name, *stated);
+      return true;
+    }
+    const auto width = statedOf(camera, "width"), height = statedOf(camera, "height");
+    if (n.size() != 2 || !isAmong(letters, kSizes) || !width || !height) return false;
+    if (std::minmax(n[0], n[1]) != std::minmax(*width, *height))
+      fail(n[0] == *width ? "height" : "width", n[0] == *width ? *height : *width);
+    return true;
   }
 
   /// Whether members or items of it were read one by one.
@@ -179,6 +242,7 @@ class Unread {
   void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
+    if (isKnown(left.name, "?")) return names.push_back(left.node.path());
     if (!left.numbers.empty() && hasWord(left.name, kNoise)) return;
     const std::vector<double> m = oneOf(left.node, left.numbers);
     const std::size_t count = m.size();

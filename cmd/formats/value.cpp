@@ -263,20 +263,6 @@ bool addPath(const Node& root, const Path& path, std::string_view star, bool isT
   return true;
 }
 
-/// A size may be there twice, under two names.
-void requireOneSize(const Node& root, const Part& part, std::string_view star, Found& found) {
-  if (part.name != "size" || found.numbers.size() != 2) return;
-  for (const Sum& sum : part.value)
-    for (const Path& path : sum.front().paths) {
-      if (sum.size() != 1 || !path.operations.empty()) continue;
-      const auto other = valueAt(root, withStar(path.text, star));
-      const auto numbers = other ? numbersIn(other->json()) : std::nullopt;
-      if (!numbers || numbers->size() != 2) continue;
-      if (*numbers != found.numbers) other->fail("differs from the width and height beside it");
-      found.nodes.push_back(*other);
-    }
-}
-
 }  // namespace
 
 std::optional<std::vector<double>> numbersIn(const Json& value) {
@@ -414,10 +400,7 @@ std::optional<Found> find(const Node& root, const Part& part, std::string_view s
       if (!isThere && !term.isOptional && missing.empty()) missing = withStar(term.paths.front().text, star);
       if (found.nodes.size() > before && !term.isOptional && present.empty()) present = found.nodes.back().path();
     }
-    if (missing.empty() && isAny) {
-      requireOneSize(root, part, star, found);
-      return found;
-    }
+    if (missing.empty() && isAny) return found;
     if (!present.empty() && lacking.empty()) lacking = missing + " beside " + present;
   }
   if (!lacking.empty()) root.fail(part.name + ": needs " + lacking);

@@ -1,6 +1,6 @@
 // Writers of formats that rows read: OpenCV's FileStorage, ROS's camera_info, KITTI, 3D Gaussian splatting, Open3D.
 // Sources: OpenCV's persistence.hpp, ROS's camera_calibration_parsers, KITTI's development kit, gaussian-splatting's
-// camera_utils, Open3D's PinholeCameraTrajectory.
+// camera_utils, Open3D's PinholeCameraParameters and, of several, PinholeCameraTrajectory.
 #include <algorithm>
 #include <tuple>
 
@@ -158,6 +158,7 @@ std::vector<WrittenFile> writeOpen3d(std::span<const WrittenCamera> cameras, std
     out.addText("extrinsic", jsonListOf(columns)).addText("intrinsic", intrinsic.text());
     list.push_back(out.text());
   }
+  if (list.size() == 1) return {{"", list.front() + "\n"}};
   JsonObject out = begin("PinholeCameraTrajectory");
   return {{"", out.addText("parameters", jsonList(list, ",\n    ")).text() + "\n"}};
 }

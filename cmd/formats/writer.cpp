@@ -90,7 +90,11 @@ class Places {
     requireParts();
     if (lacks(kPosesAlone)) requirePicture();
     if (lacks(kPosePlace) && !camera_.isAtOrigin())
-      fail("a pose; --position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF leaves it out");
+      fail(std::string("a pose; ") +
+           (file_.convention.view == ViewAxes::RDF && !valueAt(*file_.document.root, "cameraAxes")
+                ? "--world-from-camera 0,0,0"
+                : "--position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF") +
+           " leaves it out");
   }
 
  private:

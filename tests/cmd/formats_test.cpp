@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "formats/finder.hpp"
 #include "formats/open.hpp"
+#include "formats/parts.hpp"
+#include "formats/rows.hpp"
 #include "formats/tree.hpp"
 #include "formats/value.hpp"
 #include "text/error.hpp"
@@ -81,6 +83,9 @@ constexpr Sample kSamples[] = {
     {"slam",
      R"({"Camera.fx": 100, "Camera.fy": 110, "Camera.cx": 50, "Camera.cy": 25, "Camera.width": 100, "Camera.height": 50, "Camera.k1": 0.1,
                  "Camera.k2": 0.2, "Camera.p1": 0.01, "Camera.p2": 0.02})"},
+    {"slam",
+     R"({"Camera.type": "PinHole", "Camera1.fx": 100, "Camera1.fy": 110, "Camera1.cx": 50, "Camera1.cy": 25, "Camera.width": 100,
+                 "Camera.height": 50, "Camera1.k1": 0.1, "Camera1.k2": 0.2, "Camera1.p1": 0.01, "Camera1.p2": 0.02, "Stereo.b": 0.1})"},
     {"slam",
      R"({"model_type": "KANNALA_BRANDT", "image_width": 100, "image_height": 50, "projection_parameters": {"k2": 0.1, "k3": 0.2, "k4": 0.3, "k5": 0.4,
                  "mu": 100, "mv": 110, "u0": 50, "v0": 25}})"},
@@ -236,6 +241,11 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       {R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "flip": true})", "flip"},
       {R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "t1": 0.01})", "t1"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "roi": [1, 2, 90, 40]})", "roi"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "fx": 101})", "fx: differs"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "cx": 51})", "cx: differs"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "image_width": 200})", "w: differs"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "resolution": [100, 60]})", "height, 50"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "camera_angle_x": 0.9})", "fovX, 53.1301"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "new_K": [90, 0, 50, 0, 100, 25, 0, 0, 1]})", "new_K"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "map1": [[1, 2], [3, 4]]})", "map1"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "D": [0.1, 0.2, 0.3, 0.4], "w": 100, "h": 50})",
@@ -256,6 +266,11 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       openCameras(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "baseline": 0.12})", {.option = "FILE"}, {});
   (void)named->document(0);
   CHECK(named->unreadOf(0) == "baseline");
+  const auto agreed = openCameras(
+      R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "fx": 100, "cy": 24.5, "fovx": 53, "image_width": 100, "resolution": [50, 100]})",
+      {.option = "FILE"}, {});
+  (void)agreed->document(0);
+  CHECK(agreed->unreadOf(0).empty());
 }
 
 TEST_CASE("forms of formats that are less common are read") {
@@ -284,6 +299,11 @@ TEST_CASE("forms of formats that are less common are read") {
        "", 1, R"("p":[0.01,0.02])"},
       {R"([{"name": "a", "x": 1, "y": null, "z": 3, "target.x": 0, "target.y": 0, "target.z": 0, "fx": 100, "fy": 100}])",
        "", 1, R"("fx":100)"},
+      {R"([{"name": "a", "size": [100, 50], "matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "rotation": [0.1, 0.2, 0.3],
+            "translation": [1, 2, 3], "distortions": [0.1, 0, 0, 0, 0]}])",
+       "a", 1, R"("rotationVector":[0.1,0.2,0.3])"},
+      {R"([{"Image": "a", "X": 1, "Y": 2, "Z": 3, "OMEGA": 4, "Phi": 5, "KAPPA": 6, "r11": 0.9}])", "a", 1,
+       R"("euler":{"degrees":[4.0,5.0,6.0],"order":"opk"})"},
       {R"({"lens": {"camera_matrix": [], "size": []}, "fisheye_params": {"camera_matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]],
            "distortion_coeffs": [0.1, 0.2, 0.3, 0.4]}})",
        "", 1, R"("model":"fisheye")"},
@@ -342,11 +362,16 @@ TEST_CASE("numbers mean what the format says") {
       if (format == sample.format) return cameraOf(sample.text, pick)["distortion"];
     return Json();
   };
+  const auto lensOfSlam = [](std::string_view word) {
+    for (const Sample& sample : kSamples)
+      if (std::string_view(sample.text).find(word) != std::string_view::npos)
+        return cameraOf(sample.text)["distortion"];
+    return Json();
+  };
   CHECK(lensOf("kalibr", "cam1") == Json::parse(R"({"model": "double-sphere", "xi": -0.2, "alpha": 0.6})"));
   CHECK(lensOf("basalt") == Json::parse(R"({"model": "unified", "alpha": 0.6, "beta": 1.1})"));
-  CHECK(cameraOf(kSamples[6].text)["distortion"] == Json::parse(R"({"model": "fisheye", "k": [0.1, 0.2, 0.3, 0.4]})"));
-  CHECK(cameraOf(kSamples[7].text)["distortion"] ==
-        Json::parse(R"({"model": "omni", "xi": 1.5, "k": [0.1, 0.2], "p": [0.01, 0.02]})"));
+  CHECK(lensOfSlam("KANNALA_BRANDT") == Json::parse(R"({"model": "fisheye", "k": [0.1, 0.2, 0.3, 0.4]})"));
+  CHECK(lensOfSlam("MEI") == Json::parse(R"({"model": "omni", "xi": 1.5, "k": [0.1, 0.2], "p": [0.01, 0.02]})"));
   CHECK(lensOf("transforms") == Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
   CHECK(lensOf("opensfm")["k"] == Json::parse("[0.1, 0.2, 0.3]"));
 }
@@ -433,6 +458,17 @@ TEST_CASE("a line of parts and paths makes a camera") {
   CHECK(messageOf(lacking, "b", set).find("b.T: is not in the file") != std::string::npos);
 }
 
+TEST_CASE("every row of the formats is a line that can be read") {
+  for (const Row& row : rows())
+    for (std::string_view rest = row.lines; !rest.empty();) {
+      std::string_view line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+      if (line.find(": ") < line.find('=')) line.remove_prefix(line.find(": ") + 2);
+      INFO(line);
+      CHECK_NOTHROW(requireNames(parseParts(line, "row"), "row", true));
+    }
+}
+
 TEST_CASE("stars are in the file's order, numbers by their size") {
   const Document file =
       readTree(R"({"cam10": {"k": 1}, "cam2": {"k": 1}, "cam1": {"k": 1}, "x": {"k": 1}, "cam3": {"j": 1}})", "FILE");
@@ -472,6 +508,23 @@ TEST_CASE("the finder proposes the line that reads a file") {
   CHECK(!proposed(R"({"mtx_a": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "radial": [2.1e-8, -1.2e-14]})")
              .lines[0]
              .decide.empty());
-  CHECK(textOf(proposeParts(readTree(R"({"title": "notes", "list": [1, 2, 3]})", "FILE"))) ==
-        "nothing in it looks like a camera\n");
+}
+
+TEST_CASE("the finder proposes nothing for files that hold no camera") {
+  for (
+      const char* text :
+      {R"({"title": "notes", "list": [1, 2, 3]})",
+       R"({"name": "pkg", "version": "1.2.3", "scripts": {"test": "x"}, "dependencies": {"three": "^0.1"}, "size": [640, 480]})",
+       R"({"compilerOptions": {"target": "es2020", "lib": ["dom"], "rotation": 90}, "include": ["src"]})",
+       R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"id": 7, "width": 640, "height": 480},
+            "geometry": {"type": "Polygon", "coordinates": [[[7.1, 46.2], [7.3, 46.2], [7.3, 46.4], [7.1, 46.2]]]}}]})",
+       R"({"v": "5.7", "fr": 30, "w": 512, "h": 512, "layers": [{"ks": {"r": {"k": 0}, "p": {"k": [256, 256, 0]}, "s": {"k": [100, 100, 100]}}}]})",
+       R"({"colors": {"red": [1, 0, 0], "matrix": [0.41, 0.36, 0.18, 0.21, 0.72, 0.07, 0.02, 0.12, 0.95]}, "transform": [1, 0, 0, 1, 10, 20]})",
+       R"({"model": {"k": 5, "weights": [0.5, 0.25, 0.125, 0.125], "shape": [224, 224], "mean": [0.485, 0.456, 0.406]}, "p1": 0.1})",
+       R"({"windows": [{"x": 10, "y": 20, "width": 800, "height": 600}], "font": {"size": 12, "f": 2}})",
+       R"([{"date": "2024-01-01", "t": 12.5, "p": 1013.2, "position": "3"}, {"date": "2024-01-02", "t": 11.5, "p": 1012.2}])",
+       R"({"inertia": {"K": [[4, 0.1, 0], [0.1, 5, 0], [0, 0, 6]], "center": [0.1, 0.2, 0.3]}, "gains": {"k1": 0.5, "k2": 0.1}})"}) {
+    INFO(text);
+    CHECK(textOf(proposeParts(readTree(text, "FILE"))).find("--parts") == std::string::npos);
+  }
 }
