@@ -193,21 +193,18 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes) {
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes) {
-  const Columns c = checkedColumns(matrix, "cameraFromWorld");
-  const Inverse inverted = inverse(c);
+  checkedColumns(matrix, "cameraFromWorld");
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  Vec3 eye;  // -M^-1 t, rounded
-  for (std::size_t i = 0; i < 3; ++i)
-    eye[i] = nearestDouble(-dot(inverted.adjugate[i], toDyadic(translation)).rounded() / inverted.divisor);
   std::array<Vec3, 3> matrixRows;
-  std::array<DDVec3, 3> columns;
-  std::array<DDVec3, 3> residual;  // M eye + t in x: the remainder of rounding the eye
-  for (std::size_t i = 0; i < 3; ++i) {
-    matrixRows[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
-    const Dyadic<2> rest = dot(toDyadic(matrixRows[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
-    residual[i].x = toDoubleDouble(rest.rounded());
-    for (std::size_t j = 0; j < 3; ++j) columns[i][j] = inverted.rows[j][i];
-  }
+  for (std::size_t i = 0; i < 3; ++i) matrixRows[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
+  const std::array<DDVec3, 3> columns =
+      inverse({toDoubleDouble(matrixRows[0]), toDoubleDouble(matrixRows[1]), toDoubleDouble(matrixRows[2])});
+  Vec3 eye;  // -M^-1 t. Rounded in any way: the residual is what that leaves.
+  for (std::size_t i = 0; i < 3; ++i)
+    eye[i] = rounded(-dotOrZero({columns[0][i], columns[1][i], columns[2][i]}, toDoubleDouble(translation)));
+  std::array<DDVec3, 3> residual;  // M eye + t in x
+  for (std::size_t i = 0; i < 3; ++i)
+    residual[i].x = toDoubleDouble((dot(toDyadic(matrixRows[i]), toDyadic(eye)) + Dyadic<1>(translation[i])).rounded());
   ExactPose exact;
   exact.translation = toAxes(translation, axes);
   const auto rows = toAxes(matrixRows, axes);
