@@ -60,7 +60,7 @@ TEST_CASE("Rays of pixels far outside the picture keep the bound") {
     scene.fov = random.logUniform(1e-3, 179.9);
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec2 pixel{random.sign() * random.logUniform(1, 1e50), random.sign() * random.logUniform(1, 1e45)};
+    const Vec2 pixel{random.sign() * random.logUniform(1, 1e45), random.sign() * random.logUniform(1, 1e45)};
     const Real3 direction = truth.direction(truth.window(pixel.x, pixel.y));
     INFO("trial " << trial << ": pixel " << pixel.x << " " << pixel.y);
     REQUIRE(angle(toReal(screenToRay(camera, pixel).direction), direction) <= kRayDirectionBound);
