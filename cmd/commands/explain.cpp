@@ -354,7 +354,7 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
   const Vec4 placed = model ? toWorld(*model, point) : point;
   const ScreenPoint p = worldToScreen(camera, placed);
   if (p.status == PointStatus::outOfRange)
-    throw UsageError(!model         ? "the point lies farther than 1e91 from the eye"
+    throw UsageError(!model         ? "the point lies farther than 1e46 from the eye"
                      : point.w == 0 ? "--model takes the direction to 0"
                                     : "--model takes the point out of the range of numbers");
   Steps steps(convention);

@@ -239,7 +239,7 @@ class Projector final : public RecordProcessor {
     } else if (isSegment(plan)) {
       requireEdges("a segment", camera);
       const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
-      if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
+      if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e46");
       addOther(segment);
     } else if (isShape(plan)) {
       requireEdges("a shape", camera);
@@ -280,7 +280,7 @@ class Projector final : public RecordProcessor {
     if (items_[i] != kPoint)
       addOther(others_[items_[i]], i, values);
     else if (screen_[i].status == PointStatus::outOfRange)
-      throw RecordError(0, "lies farther than 1e91 from the eye");
+      throw RecordError(0, "lies farther than 1e46 from the eye");
     else
       addFields(screen_[i], i, std::nullopt, fieldsOf(false), values);
   }

@@ -202,7 +202,7 @@ struct IsInRange {
 
 CullShape toShape(const NumberPlan& plan, const Numbers& n) {
   CullShape shape = shapeOf(plan, n);
-  if (!std::visit(IsInRange(), shape)) throw RecordError(0, "has a number beyond 1e91");
+  if (!std::visit(IsInRange(), shape)) throw RecordError(0, "has a number beyond 1e46");
   return shape;
 }
 

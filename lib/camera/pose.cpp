@@ -29,20 +29,14 @@ Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& direction, const Fi
   return orthogonal(exact);
 }
 
-/// Like requireNumber, but allows tiny coordinates: a place on the Earth may have some, and they lose nothing.
-void requireWithin(const Vec3& v, const char* field) {
-  if (!(isFinite(v) && maxAbs(v) <= kLargestNumber))
-    throw CameraError(field, "has a component that is not a finite number up to 1e90");
-}
-
 void requireFine(const FineVec3& up) {
   if (!isFinite(rounded(rounded(up)))) throw CameraError("up", "has a component that is not a finite number");
 }
 
 FineVec3 checkedUp(const Vec3& up) {
-  requireNumber(up, "up");
-  if (maxAbs(up) == 0) throw CameraError("up", "is zero");
-  return toDyadic(up);
+  const Vec3 checked = checkedEntries(up, "up");
+  if (maxAbs(checked) == 0) throw CameraError("up", "is zero");
+  return toDyadic(checked);
 }
 
 }  // namespace
@@ -87,28 +81,25 @@ bool forwardIsAxis(const PoseParts& pose) noexcept {
 }
 
 Pose lookAlongWithUp(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
-  requireWithin(position, "position");
-  requireNumber(direction, "direction");
-  if (maxAbs(direction) == 0) throw CameraError("direction", "is zero");
+  const Vec3 eye = checkedEntries(position, "position"), along = checkedEntries(direction, "direction");
+  if (maxAbs(along) == 0) throw CameraError("direction", "is zero");
   requireFine(up);
-  return looking(position, toDyadic(direction), up, world);
+  return looking(eye, toDyadic(along), up, world);
 }
 
 Pose lookAtWithUp(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
-  requireWithin(position, "position");
-  requireWithin(target, "target");
+  const Vec3 eye = checkedEntries(position, "position"), at = checkedEntries(target, "target");
   requireFine(up);
-  if (position == target) throw CameraError("target", "is the camera's own position: there is no direction to look in");
+  if (eye == at) throw CameraError("target", "is the camera's own position: there is no direction to look in");
   Vector3<Dyadic<1>> direction;
-  for (std::size_t i = 0; i < 3; ++i) direction[i] = Dyadic<1>::difference(target[i], position[i]);
-  return looking(position, direction, up, world);
+  for (std::size_t i = 0; i < 3; ++i) direction[i] = Dyadic<1>::difference(at[i], eye[i]);
+  return looking(eye, direction, up, world);
 }
 
 Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes) {
-  requireWithin(position, "position");
   ExactPose exact;
   for (std::size_t i = 0; i < 3; ++i) exact.rows[i] = {axes[i].x, axes[i].y, axes[i].z};
-  exact.origin = position;
+  exact.origin = checkedEntries(position, "position");
   return orthogonal(exact);
 }
 
@@ -135,10 +126,9 @@ Handedness Pose::world() const noexcept {
 PoseError Pose::error() const noexcept { return parts_->error; }
 
 Pose movedTo(const Pose& pose, const Vec3& eye) {
-  requireNumber(eye, "position");
   PoseParts moved = parts(pose);
   ExactPose exact = *moved.exact;
-  moved.eye = exact.origin = eye;
+  moved.eye = exact.origin = checkedEntries(eye, "position");
   exact.translation = {};
   moved.residual = {};
   moved.error.eye = 0;
@@ -154,13 +144,10 @@ Pose withError(const Pose& pose, const PoseError& error) {
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
-  requireNumber(position, "position");
   return lookAlongWithUp(position, direction, checkedUp(up), world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
-  requireNumber(position, "position");
-  requireNumber(target, "target");
   return lookAtWithUp(position, target, checkedUp(up), world);
 }
 

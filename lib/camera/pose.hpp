@@ -78,7 +78,7 @@ AxisMap axisMap(CameraAxes axes) noexcept;
 /// A vector with more digits than doubles have. They count as exact.
 using FineVec3 = Vector3<Dyadic<1>>;
 
-/// lookAlong and lookAt with such an up, at positions with coordinates as small as any double.
+/// lookAlong and lookAt with such an up.
 Pose lookAlongWithUp(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
 Pose lookAtWithUp(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
 

@@ -58,23 +58,22 @@ void requireOrthogonal(const Columns& c, const char* field) {
   }
 }
 
-/// The columns of a pose matrix's 3x3 part, after all checks.
-Columns checkedColumns(const Mat4& matrix, const char* field) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      if (!std::isfinite(matrix[i][j]))
-        throw CameraError(field, "has an entry that is not a finite number");
-      else if (!isInDomain(matrix[i][j]))
-        throw CameraError(field, "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+Columns columnsOf(const Mat4& m) noexcept {
+  Columns c;
+  for (std::size_t j = 0; j < 3; ++j) c[j] = {m[0][j], m[1][j], m[2][j]};
+  return c;
+}
+
+/// A pose matrix, after all checks.
+Mat4 checkedPose(const Mat4& given, const char* field) {
+  const Mat4 matrix = checkedEntries(given, field);
   if (!(matrix[3] == std::array<double, 4>{0, 0, 0, 1})) {
     const bool looksTransposed = matrix[0][3] == 0 && matrix[1][3] == 0 && matrix[2][3] == 0 && matrix[3][3] == 1;
     throw CameraError(field, std::string("has a last row that is not 0 0 0 1") +
                                  (looksTransposed ? "; this one is written for row vectors: transpose it" : ""));
   }
-  Columns c;
-  for (std::size_t j = 0; j < 3; ++j) c[j] = {matrix[0][j], matrix[1][j], matrix[2][j]};
-  requireOrthogonal(c, field);
-  return c;
+  requireOrthogonal(columnsOf(matrix), field);
+  return matrix;
 }
 
 /// The inverse of the matrix with these columns: exact rows to be divided by the determinant, and the rounded rows.
@@ -116,7 +115,7 @@ AxisMap axisMap(CameraAxes axes) noexcept { return mapOf(axes); }
 Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
   if (!(maxAbs(eye) <= kLargestNumber))
-    throw CameraError("position", "has a component that is not a number up to 1e90");
+    throw CameraError("position", "has a component that is not a finite number up to 1e45");
   for (const Vec3& column : c)
     if (!isFinite(column)) throw CameraError("columns", "has a component that is not a finite number");
   requireOrthogonal(c, "columns");
@@ -144,11 +143,9 @@ Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& e
 }
 
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes) {
-  requireNumber(position, "position");
-  requireNumber({q.x, q.y, q.z}, "rotation");
-  requireNumber({q.w, 0, 0}, "rotation");
-  if (q.x == 0 && q.y == 0 && q.z == 0 && q.w == 0) throw CameraError("rotation", "is zero");
-  const Dyadic<1> x = q.x, y = q.y, z = q.z, w = q.w;
+  const Vec3 eye = checkedEntries(position, "position"), vector = checkedEntries(Vec3{q.x, q.y, q.z}, "rotation");
+  const Dyadic<1> x = vector.x, y = vector.y, z = vector.z, w = checkedEntry(q.w, "rotation");
+  if (maxAbs(vector) == 0 && w.sign() == 0) throw CameraError("rotation", "is zero");
   const auto squares = [&](bool plusX, bool plusY, bool plusZ) {
     const auto added = [](const Dyadic<2>& sum, const Dyadic<2>& square, bool plus) {
       return plus ? sum + square : sum - square;
@@ -165,15 +162,16 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
       {twice(x * z + y * w), twice(y * z - x * w), squares(false, false, true)},
   }};
   ExactPose exact;
-  exact.origin = position;
+  exact.origin = eye;
   const Wide scale = Wide(1) / squares(true, true, true).rounded();
   const auto rows = toAxes(columns, axes);
   for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, rows[i], scale);
   return orthogonal(exact);
 }
 
-Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes) {
-  const Columns c = checkedColumns(matrix, "worldFromCamera");
+Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes) {
+  const Mat4 matrix = checkedPose(worldFromCamera, "worldFromCamera");
+  const Columns c = columnsOf(matrix);
   const Inverse inverted = inverse(c);
   ExactPose exact;
   exact.origin = {matrix[0][3], matrix[1][3], matrix[2][3]};
@@ -192,22 +190,19 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes) {
                share(exact)});
 }
 
-Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes) {
-  const Columns c = checkedColumns(matrix, "cameraFromWorld");
-  const Inverse inverted = inverse(c);
+Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes) {
+  const Mat4 matrix = checkedPose(cameraFromWorld, "cameraFromWorld");
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  Vec3 eye;  // -M^-1 t, rounded
-  for (std::size_t i = 0; i < 3; ++i)
-    eye[i] = nearestDouble(-dot(inverted.adjugate[i], toDyadic(translation)).rounded() / inverted.divisor);
   std::array<Vec3, 3> matrixRows;
-  std::array<DDVec3, 3> columns;
-  std::array<DDVec3, 3> residual;  // M eye + t in x: the remainder of rounding the eye
-  for (std::size_t i = 0; i < 3; ++i) {
-    matrixRows[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
-    const Dyadic<2> rest = dot(toDyadic(matrixRows[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
-    residual[i].x = toDoubleDouble(rest.rounded());
-    for (std::size_t j = 0; j < 3; ++j) columns[i][j] = inverted.rows[j][i];
-  }
+  for (std::size_t i = 0; i < 3; ++i) matrixRows[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
+  const std::array<DDVec3, 3> columns =
+      inverse({toDoubleDouble(matrixRows[0]), toDoubleDouble(matrixRows[1]), toDoubleDouble(matrixRows[2])});
+  Vec3 eye;  // -M^-1 t. Rounded in any way: the residual is what that leaves.
+  for (std::size_t i = 0; i < 3; ++i)
+    eye[i] = rounded(-dotOrZero({columns[0][i], columns[1][i], columns[2][i]}, toDoubleDouble(translation)));
+  std::array<DDVec3, 3> residual;  // M eye + t in x
+  for (std::size_t i = 0; i < 3; ++i)
+    residual[i].x = toDoubleDouble((dot(toDyadic(matrixRows[i]), toDyadic(eye)) + Dyadic<1>(translation[i])).rounded());
   ExactPose exact;
   exact.translation = toAxes(translation, axes);
   const auto rows = toAxes(matrixRows, axes);

@@ -37,9 +37,9 @@ void requireSide(DoubleDouble low, DoubleDouble high, DoubleDouble width, double
                  const char* highName) {
   const double farthest = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
   if (!isFinite(low) || !isFinite(high) || !(farthest <= 2 * kLargestNumber))  // leaves room for rounding
-    throw CameraError(highName, "makes a window that reaches beyond 1e90");
+    throw CameraError(highName, "makes a window that reaches beyond 1e45");
   if (!(width.hi > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
-  if (!(width.hi >= kSmallestNumber)) throw CameraError(highName, "makes a window smaller than 1e-90");
+  if (!(width.hi >= kSmallestNumber)) throw CameraError(highName, "makes a window smaller than 1e-45");
 }
 
 /// Throws unless the window's edges are in order and its size is in range.

@@ -25,13 +25,27 @@ inline void requireTurn(const Angle& angle, const char* field) {
 
 inline void requireNumber(double value, const char* field) {
   requireFinite(value, field);
-  if (!isInDomain(value)) throw CameraError(field, "must be 0, or between 1e-90 and 1e90 in magnitude");
+  if (!isInDomain(value)) throw CameraError(field, "must be 0, or between 1e-45 and 1e45 in magnitude");
 }
 
-inline void requireNumber(const Vec3& v, const char* field) {
-  if (!isFinite(v)) throw CameraError(field, "has a component that is not a finite number");
-  if (!(isInDomain(v.x) && isInDomain(v.y) && isInDomain(v.z)))
-    throw CameraError(field, "has a component that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+/// An entry of a vector, a rotation or a lens: 0 if it is below kSmallestNumber.
+inline double checkedEntry(double value, const char* field,
+                           const char* fault = "must be a finite number up to 1e45") {
+  if (!(std::fabs(value) <= kLargestNumber)) throw CameraError(field, fault);
+  return std::fabs(value) < kSmallestNumber ? 0 : value;
+}
+
+inline Vec3 checkedEntries(const Vec3& v, const char* field) {
+  const auto entry = [&](double a) {
+    return checkedEntry(a, field, "has a component that is not a finite number up to 1e45");
+  };
+  return {entry(v.x), entry(v.y), entry(v.z)};
+}
+
+inline Mat4 checkedEntries(Mat4 matrix, const char* field) {
+  for (auto& row : matrix.m)
+    for (double& entry : row) entry = checkedEntry(entry, field, "has an entry that is not a finite number up to 1e45");
+  return matrix;
 }
 
 inline void requirePositive(double value, const char* field) {

@@ -591,7 +591,7 @@ MatrixCameras camerasOf(const Mat4& m, const MatrixQuery& query) {
   for (const auto& row : m.m)
     for (const double entry : row) {
       const char* const fault = !std::isfinite(entry)               ? "it has a number that is not finite"
-                                : std::fabs(entry) > kLargestNumber ? "it has a number beyond 1e90"
+                                : std::fabs(entry) > kLargestNumber ? "it has a number beyond 1e45"
                                                                     : nullptr;
       if (fault) return {{}, fault, fault};
     }

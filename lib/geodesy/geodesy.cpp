@@ -115,7 +115,6 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
 }
 
 Pose poseInEastNorthUp(const Vec3& position, const HeadingPitchRoll& angles) {
-  requireNumber(position, "position");
   return turned(position, TurnedAxes({{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}), angles);
 }
 

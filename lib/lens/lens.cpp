@@ -20,14 +20,14 @@ LensParts partsOf(LensModel model) {
 }
 
 Lens made(LensParts lens) {
-  const auto require = [](std::span<const double> numbers, const std::string& field) {
+  const auto check = [](std::span<double> numbers, const std::string& field) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      requireNumber(numbers[i], (field + "." + std::to_string(i)).c_str());
+      numbers[i] = checkedEntry(numbers[i], (field + "." + std::to_string(i)).c_str());
   };
-  require(lens.k, "distortion.k");
-  require(lens.p, "distortion.p");
-  requireNumber(lens.xi, "distortion.xi");
-  requireNumber(lens.alpha, "distortion.alpha");
+  check(lens.k, "distortion.k");
+  check(lens.p, "distortion.p");
+  lens.xi = checkedEntry(lens.xi, "distortion.xi");
+  lens.alpha = checkedEntry(lens.alpha, "distortion.alpha");
   requirePositive(lens.beta, "distortion.beta");
   if (!(lens.xi > -1)) throw CameraError("distortion.xi", "must be a number above -1");
   if (!(lens.statedRadius > 0 && lens.statedDegrees > 0))

@@ -118,28 +118,49 @@ struct Response {
   D stretch, rounding;
 };
 
+/// More than a series in u and than 2 u times its slope, in magnitude, and less than the series, for all u from `low` to
+/// `high`. A sum is what it is at `low`, and changes by less than its terms do. terms: more than their sizes.
+template <class D>
+struct SeriesRange {
+  D most, slope, least, terms;
+
+  [[gnu::always_inline]] SeriesRange(std::span<const double> k, D low, D high) noexcept {
+    D value{}, steep{}, before{}, after{}, steepBefore{}, steepAfter{};
+    for (std::size_t i = k.size(); i-- > 0;) {
+      const double a = k[i], by = 2 * double(i + 1), size = std::fabs(a);
+      value = (value + a) * low;
+      steep = (steep + by * a) * low;
+      before = (before + size) * low;
+      after = (after + size) * high;
+      steepBefore = (steepBefore + by * size) * low;
+      steepAfter = (steepAfter + by * size) * high;
+    }
+    const auto magnitude = [](D a) { return a < 0.0 ? -a : a; };
+    value = value + 1.0;
+    most = magnitude(value) + (after - before);
+    slope = magnitude(steep) + (steepAfter - steepBefore);
+    least = value - (after - before);
+    terms = 1.0 + after + steepAfter;
+  }
+};
+
 /// Of Brown's polynomials, more than for all radii from `from` to `to`. Infinite next to a pole.
 template <class D>
 [[gnu::always_inline]] inline Response<D> brownResponse(const LensParts& lens, D from, D to) noexcept {
   constexpr double kSmallest = 0x1p-30;
-  const D u = to * to, ofN = sizes(lens.numerator(), u, 1, 2);
-  D most = 2.0 * ofN;
+  const D low = from * from, u = to * to;
+  // x g(u) with g = n / d stretches by g, and along x by g + 2 u (n' - g d') / d.
+  const SeriesRange<D> n(lens.numerator(), low, u);
+  D stretch = 2.0 * (n.most + n.slope), rough = 2.0 * n.terms;
   if (lens.isRational()) {
-    const D ofD = sizes(lens.denominator(), u, 1, 2), infinite = D{} + kInfinity, low = from * from;
-    // It is this at `from`, and changes by less than its terms do.
-    D d{}, before{}, after{};
-    for (std::size_t i = lens.denominatorTerms; i-- > 0;) {
-      const double k = lens.denominator()[i], size = std::fabs(k);
-      d = (d + k) * low;
-      before = (before + size) * low;
-      after = (after + size) * u;
-    }
-    d = (d + 1.0) - (after - before);
-    most = 2.0 * (ofN / d) * (1.0 + ofD / d);
-    most = d > kSmallest * ofD ? most : infinite;
+    const SeriesRange<D> d(lens.denominator(), low, u);
+    const D infinite = D{} + kInfinity, g = n.most / d.least;
+    const auto isFar = d.least > kSmallest * d.terms;
+    stretch = isFar ? D(2.0 * (g + (n.slope + g * d.slope) / d.least)) : infinite;
+    rough = isFar ? D(rough / d.least * (1.0 + d.terms / d.least)) : infinite;
   }
   const double p = std::fabs(lens.p[0]) + std::fabs(lens.p[1]);
-  return {most + 6 * p * to, 20.0 * most * to + 24 * p * u};
+  return {stretch + 6 * p * to, 20.0 * rough * to + 24 * p * u};
 }
 
 /// Of the sphere map before Brown's polynomials; by is D / d1.

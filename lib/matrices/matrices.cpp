@@ -196,12 +196,10 @@ DDMat4 modelFrom(const DDMat4& world, const Mat4& model) {
   return m;
 }
 
-void requireModel(const Mat4& m) {
-  for (const auto& row : m.m)
-    for (const double entry : row)
-      if (!isInDomain(entry))
-        throw CameraError("model", "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+Mat4 checkedModel(const Mat4& worldFromModel) {
+  const Mat4 m = checkedEntries(worldFromModel, "model");
   if (!(m[3] == std::array<double, 4>{0, 0, 0, 1})) throw CameraError("model", "has a last row that is not 0 0 0 1");
+  return m;
 }
 
 // ---- Put together
@@ -232,7 +230,6 @@ DDMat4 matrixOf(const Camera& camera, Space to, Space from, const Mat4* model) {
   const auto isOfScene = [](Space s) { return s == Space::model || s == Space::world; };
   const auto isClip = [](Space s) { return s == Space::clip || s == Space::ndc; };
   if (!model && (to == Space::model || from == Space::model)) throw CameraError("model", "is missing");
-  if (model) requireModel(*model);
   DDMat4 m = kIdentity;
   if (to == from || (isClip(to) && isClip(from))) return m;
   if ((to == Space::screen && isClip(from)) || (from == Space::screen && isClip(to))) {
@@ -294,7 +291,8 @@ Mat4 unstored(const Numbers& flat, const Convention& c) noexcept {
 Mat4 matrix(const Camera& camera, Space to, Space from) { return rounded(matrixOf(camera, to, from, nullptr)); }
 
 Mat4 matrix(const Camera& camera, Space to, Space from, const Mat4& worldFromModel) {
-  return rounded(matrixOf(camera, to, from, &worldFromModel));
+  const Mat4 model = checkedModel(worldFromModel);
+  return rounded(matrixOf(camera, to, from, &model));
 }
 
 template <class Number>

@@ -11,7 +11,7 @@
 namespace viewproj::detail {
 
 /// Whether a point can be projected: it is finite and not 0 0 0 0, a point is no farther than kFarthestPoint from the
-/// eye and a direction no longer, and the weight is 0 or between 1e-90 and 1e90 in magnitude.
+/// eye and a direction no longer, and the weight is 0 or between 1e-45 and 1e45 in magnitude.
 bool isInDomain(const Vec3& eye, const Vec4& point) noexcept;
 /// Whether a pixel can have a ray. NaN fails.
 inline bool isInDomain(const Vec2& pixel) noexcept {

@@ -73,8 +73,7 @@ Vec3 directionOf(const CameraParts& c, const Vec2& screen) noexcept {
     return {r.x, r.y, r.z};
   }
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
-  if (r.squaredLength < kLargestSquaredLength) return {r.x, r.y, r.z};
-  return rounded(normalized(offsetAt(c, windowAt(c, screen), 1)));
+  return {r.x, r.y, r.z};
 }
 
 /// The point at a distance whose error is at most distanceError.

@@ -40,8 +40,9 @@ struct CameraParts;
 }  // namespace detail
 
 /// Every number of a camera except angles is 0 or between these in magnitude, and so are the window's width and height.
-/// far may also be infinite. Other numbers are refused. The Planck length and the observable universe lie well inside.
-inline constexpr double kSmallestNumber = 1e-90, kLargestNumber = 1e90;
+/// far may also be infinite. A larger number is refused. So is a smaller one, but in a position, direction, rotation,
+/// matrix or lens it counts as 0. The Planck length and the observable universe lie inside.
+inline constexpr double kSmallestNumber = 1e-45, kLargestNumber = 1e45;
 
 /// Thrown only while a camera is being described, never while points are projected.
 class CameraError : public std::invalid_argument {

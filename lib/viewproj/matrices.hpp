@@ -28,7 +28,7 @@ enum class Space { model, world, view, clip, ndc, screen };
 /// within 1e-26 of the terms that it is the sum of. The translation into view space is always the nearest double. An
 /// entry too large for a double is infinite.
 ///
-/// worldFromModel must be affine with last row 0 0 0 1; its entries are 0 or between 1e-90 and 1e90 in magnitude.
+/// worldFromModel must be affine with last row 0 0 0 1; its entries are up to 1e45, and 0 if below 1e-45.
 /// Throws CameraError naming "model" if it is missing or invalid, or if the matrix is to model space and worldFromModel
 /// has no inverse (decided exactly) or one with entries beyond 1e100. Throws CameraError naming "near" between clip,
 /// ndc or screen and view, world or model if the camera has no near plane.

@@ -53,7 +53,7 @@ struct Ellipsoid {
 /// WGS84 in ECEF metres: a = 6378137 and b = a (1 - 1/298.257223563), the nearest double.
 inline constexpr Ellipsoid kWgs84{6378137, 6356752.314245179};
 
-// Whether a shape is valid: numbers up to 1e91 (kFarthestPoint) in magnitude, a normal that is not zero, radius >= 0,
+// Whether a shape is valid: numbers up to 1e46 (kFarthestPoint) in magnitude, a normal that is not zero, radius >= 0,
 // min <= max, semi-axes > 0. NaN is invalid. An invalid shape is hit by no ray and is outside every frustum.
 
 bool isValid(const Plane& plane) noexcept;
@@ -105,7 +105,7 @@ inline constexpr double kHitShare = 0x1p-70;
 
 /// Returns the hits at distance >= 0. A ray that starts on a surface hits it there; one that starts inside a solid hits
 /// it once. A surface that is only touched (at a tangent, an edge or a corner) is hit once. There are no hits if the
-/// shape is invalid (isValid), if a number of the ray is not finite or beyond 1e91, or if its direction is zero. A ray
+/// shape is invalid (isValid), if a number of the ray is not finite or beyond 1e46, or if its direction is zero. A ray
 /// within the plane, or a triangle's plane, does not hit. Both sides of a triangle count, and its edges belong to it:
 /// no ray slips between two triangles with a common edge (a ray through that edge hits both).
 Hits intersect(const Ray& ray, const Plane& plane) noexcept;

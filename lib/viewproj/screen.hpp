@@ -37,8 +37,8 @@ enum class PointStatus : std::uint8_t {
 };
 
 /// For a point, |x - eye.x| + |y - eye.y| + |z - eye.z| must be below this; for a direction, |x| + |y| + |z|. Small
-/// coordinates lose nothing, but a distance below 1e-307 has fewer digits. |w| is 0, or between 1e-90 and 1e90.
-inline constexpr double kFarthestPoint = 1e91;
+/// coordinates lose nothing, but a distance below 1e-307 has fewer digits. |w| is 0, or between 1e-45 and 1e45.
+inline constexpr double kFarthestPoint = 1e46;
 
 /// Whether worldToScreen accepts a point: false where its status would be outOfRange.
 bool isInRange(const Camera& camera, const Vec4& point) noexcept;

@@ -25,11 +25,11 @@ Projection lens(double near = 0.1, double far = 1000) { return perspective(60, k
 }  // namespace
 
 TEST_CASE(
-    "A ray does not depend on far, be it 10, 1e8, 1e27, 1e90 or infinite "
+    "A ray does not depend on far, be it 10, 1e8, 1e27, 1e45 or infinite "
     "[galacean/engine#1720, xeokit-sdk#546, FlaxEngine#1486]") {
   for (const Vec2& pixel : kPixels) {
     const Ray expected = screenToRay(makeCamera(somePose(), lens(0.1, 10), kHd), pixel);
-    for (double far : {2e6, 1e8, 1e27, 1e90, kInfiniteFar})
+    for (double far : {2e6, 1e8, 1e27, 1e45, kInfiniteFar})
       CHECK(screenToRay(makeCamera(somePose(), lens(0.1, far), kHd), pixel) == expected);
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE(
 TEST_CASE("A tiny near plane keeps the framing, bit for bit [filament#1766]") {
   const Vec3 point{0.5, -0.25, 1};
   const ScreenPoint expected = worldToScreen(makeCamera(somePose(), lens(1, 1000), kHd), point);
-  for (double near : {1e-3, 1e-10, 1e-30, 1e-90})
+  for (double near : {1e-3, 1e-10, 1e-30, 1e-45})
     for (double far : {1000.0, 1e30, kInfiniteFar}) {
       const ScreenPoint p = worldToScreen(makeCamera(somePose(), lens(near, far), kHd), point);
       CHECK(p.x == expected.x);

@@ -60,7 +60,7 @@ TEST_CASE("Rays of pixels far outside the picture keep the bound") {
     scene.fov = random.logUniform(1e-3, 179.9);
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec2 pixel{random.sign() * random.logUniform(1, 1e50), random.sign() * random.logUniform(1, 1e90)};
+    const Vec2 pixel{random.sign() * random.logUniform(1, 1e45), random.sign() * random.logUniform(1, 1e45)};
     const Real3 direction = truth.direction(truth.window(pixel.x, pixel.y));
     INFO("trial " << trial << ": pixel " << pixel.x << " " << pixel.y);
     REQUIRE(angle(toReal(screenToRay(camera, pixel).direction), direction) <= kRayDirectionBound);
@@ -76,7 +76,7 @@ TEST_CASE("Homogeneous points are divided by their weight exactly, negative and 
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Vec3 p = pointInView(random, truth);
-    const double w = random.sign() * random.logUniform(1e-80, 1e80);
+    const double w = random.sign() * random.logUniform(1e-40, 1e40);
     const Vec4 point{p.x * w, p.y * w, p.z * w, w};
     const Real k = Real(1) / Real(w);
     const Truth::View view = truth.view(Real3{point.x, point.y, point.z} * k);
@@ -104,7 +104,7 @@ TEST_CASE("A direction gives its vanishing point, or is behind") {
     scene.far = trial % 2 ? kInfiniteFar : 1000;
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec3 d = random.vector(random.logUniform(1e-300, 1e90));
+    const Vec3 d = random.vector(random.logUniform(1e-300, 1e45));
     const Real3 way = toReal(d);
     const Truth::View view{dot(truth.pose.right, way), dot(truth.pose.up, way), dot(truth.pose.forward, way)};
     const ScreenPoint got = worldToScreen(camera, Vec4{d.x, d.y, d.z, 0});
@@ -194,6 +194,11 @@ TEST_CASE(
       {PoseKind::target, LensKind::orthographic, {FIELD(left), FIELD(right), FIELD(bottom), FIELD(top)}},
   };
 #undef FIELD
+  const auto isEntry = [](const std::string& name) {
+    for (const char* const of : {"position", "target", "up", "rotation", "matrix"})
+      if (name.starts_with(of)) return true;
+    return false;
+  };
   int rejected = 0;
   for (const Kind& kind : kinds)
     for (const bool hasCrop : {false, true}) {
@@ -209,11 +214,12 @@ TEST_CASE(
       fields.insert(fields.end(), always.begin(), always.end());
       if (hasCrop) fields.insert(fields.end(), ofCrop.begin(), ofCrop.end());
       for (const Field& field : fields)
-        for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY), 9e-91, 1.1e90, 5e-324, 1e300}) {
+        for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY), 9e-46, 1.1e45, 5e-324, 1e300}) {
           Scene scene = good;
           double& number = field.of(scene);
           number = bad;
           if (&number == &scene.far && bad == INFINITY && kind.lens != LensKind::orthographic) continue;
+          if (std::fabs(bad) < kSmallestNumber && isEntry(field.name)) continue;  // counts as 0
           INFO("lens kind " << int(kind.lens) << ", crop " << hasCrop << ", " << field.name << " = " << bad);
           CHECK_THROWS_AS(build(scene), CameraError);
           ++rejected;
@@ -222,23 +228,23 @@ TEST_CASE(
   CHECK(rejected > 500);
 }
 
-TEST_CASE("What lies farther from the eye than 1e91 has no number, and what lies a little less far has") {
+TEST_CASE("What lies farther from the eye than 1e46 has no number, and what lies a little less far has") {
   Scene scene;
-  scene.position = {-9e89, 0, 0};
+  scene.position = {-9e44, 0, 0};
   scene.target = {1, 0, 0};
   const Camera camera = build(scene);
   for (Precision precision : {Precision::standard, Precision::exact}) {
-    CHECK(worldToScreen(camera, Vec3{9.0e90, 0, 0}, precision).status == PointStatus::inFront);
-    CHECK(worldToScreen(camera, Vec3{9.2e90, 0, 0}, precision).status == PointStatus::outOfRange);
-    CHECK(worldToScreen(camera, Vec3{4e90, 3e90, 3e90}, precision).status == PointStatus::outOfRange);
-    CHECK(worldToScreen(camera, Vec4{9.0e90, 0, 0, 0}, precision).status == PointStatus::inFront);
-    CHECK(worldToScreen(camera, Vec4{1.1e91, 0, 0, 0}, precision).status == PointStatus::outOfRange);
-    CHECK(worldToScreen(camera, Vec4{-9.0e180, 0, 0, -1e90}, precision).status == PointStatus::inFront);
+    CHECK(worldToScreen(camera, Vec3{9.0e45, 0, 0}, precision).status == PointStatus::inFront);
+    CHECK(worldToScreen(camera, Vec3{9.2e45, 0, 0}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec3{4e45, 3e45, 3e45}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec4{9.0e45, 0, 0, 0}, precision).status == PointStatus::inFront);
+    CHECK(worldToScreen(camera, Vec4{1.1e46, 0, 0, 0}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec4{-9.0e90, 0, 0, -1e45}, precision).status == PointStatus::inFront);
     for (const double weight : {1.1e90, 9e-91, 5e-324, double(INFINITY), double(NAN)})
       CHECK(worldToScreen(camera, Vec4{weight, 0, 0, weight}, precision).status == PointStatus::outOfRange);
   }
-  CHECK(std::isnan(screenToRay(camera, {1.1e91, 0}).direction.x));
-  CHECK(std::isfinite(screenToRay(camera, {9e90, 0}).direction.x));
+  CHECK(std::isnan(screenToRay(camera, {1.1e46, 0}).direction.x));
+  CHECK(std::isfinite(screenToRay(camera, {9e45, 0}).direction.x));
 }
 
 TEST_CASE("A point or a pixel that is not finite gives no number, in every precision") {
@@ -265,7 +271,7 @@ TEST_CASE("A point or a pixel that is not finite gives no number, in every preci
 }
 
 TEST_CASE("A pixel at a distance is unprojected exactly from the smallest to the largest scale") {
-  for (const double scale : {1e-84, 1e-60, 1e60, 1e80, 1e87})
+  for (const double scale : {1e-40, 1e-20, 1e20, 1e35, 1e42})
     for (std::uint64_t trial = 0; trial < 100; ++trial) {
       Random random(trial);
       Scene scene = plainScene(random);

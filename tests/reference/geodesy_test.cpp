@@ -108,6 +108,13 @@ Camera cameraOf(const Scene& s, const Pose& pose) {
   return makeCamera(pose, perspective(s.fov, s.viewport, s.near, s.far), s.viewport);
 }
 
+/// The eye of a pose at a place: its ECEF doubles, where tiny ones count as 0.
+Real3 eyeAt(const Geodetic& place, const Pose& pose) {
+  const Vec3 eye = pose.eye(), ecef = geodeticToEcef(place);
+  for (std::size_t i = 0; i < 3; ++i) REQUIRE(eye[i] == (std::fabs(ecef[i]) < kSmallestNumber ? 0 : ecef[i]));
+  return toReal(eye);
+}
+
 /// Projects points in the picture, behind and next to the eye plane; true if the camera's numbers are all exact.
 struct Tally {
   int visible = 0, behind = 0, nearPlane = 0, onPlane = 0, uncertain = 0;
@@ -209,11 +216,12 @@ TEST_CASE("From anywhere on Earth projection is exact from the ECEF doubles on, 
     const HeadingPitchRoll turned = randomTurn(r, kindOf(trial));
     const Scene scene = randomLens(r);
     TruePose truth = truePose(place, turned);
-    truth.eye = toReal(geodeticToEcef(place));
+    const Pose pose = poseFromHeadingPitchRoll(place, turned);
+    truth.eye = eyeAt(place, pose);
     INFO("trial " << trial << ": " << place.lat << " " << place.lon << " " << place.height << " turned "
                   << turned.heading.value << " " << turned.pitch.value << " " << turned.roll.value << ", fov "
                   << scene.fov);
-    requireExactProjection(r, scene, truth, cameraOf(scene, poseFromHeadingPitchRoll(place, turned)), tally);
+    requireExactProjection(r, scene, truth, cameraOf(scene, pose), tally);
   }
   CAPTURE(tally.visible, tally.behind, tally.nearPlane, tally.onPlane, tally.uncertain);
   CHECK(tally.visible > 1000);
@@ -239,7 +247,7 @@ TEST_CASE("Looking from place to place is exact, down to targets nearly straight
                   << " " << target.lon << " " << target.height);
     const Pose pose = lookAtPlace(place, target);
     TruePose truth;
-    truth.eye = toReal(geodeticToEcef(place));
+    truth.eye = eyeAt(place, pose);
     const Real3 way = toReal(geodeticToEcef(target)) - truth.eye;
     truth.forward = unit(way);
     const Real3 side = cross(truth.forward, trueFrame(place).up);

@@ -62,7 +62,7 @@ bool fits(const std::string& got, const std::string& expected) {
 }  // namespace
 
 TEST_CASE("A camera's parts that make none are refused by name") {
-  constexpr double kInf = INFINITY, kBig = 1.1e90;
+  constexpr double kInf = INFINITY, kBig = 1.1e45;
   const Row rows[] = {
       // Poses
       {"pose right-handed world, and the convention's is left-handed",
@@ -82,18 +82,18 @@ TEST_CASE("A camera's parts that make none are refused by name") {
       {"far finite", box(-1, 1, -1, 1, 0, kInf)},
       {"near", box(-1, 1, -1, 1, -kInf, 1)},
       {"far", box(-1, 1, -1, 1, 2, 1)},
-      {"near 1e-90", box(-1, 1, -1, 1, -kBig, 1)},
-      {"far 1e-90", lens(-1, 1, -1, 1, 1, kBig)},
+      {"near 1e-45", box(-1, 1, -1, 1, -kBig, 1)},
+      {"far 1e-45", lens(-1, 1, -1, 1, 1, kBig)},
       {"right greater than left", lens(1, -1, -1, 1, 1, 2)},
       {"right greater than left", lens(1, 1, -1, 1, 1, 2)},
       {"top greater than bottom", lens(-1, 1, 1e9, 1, 1, 2)},
       {"left", lens(NAN, 1, -1, 1, 1, 2)},
       {"right", lens(-1, kInf, -1, 1, 1, 2)},
       {"bottom", lens(-1, 1, NAN, 1, 1, 2)},
-      {"right 1e-90", lens(-1, kBig, -1, 1, 1, 2)},
-      {"top 1e-90", lens(-1, 1, 0, 9e-91, 1, 2)},
-      {"right window", [](Parts& p) { p.projection = frustum(-1, 1e50, -1, 1, 1e-50, 1); }},
-      {"top window", [](Parts& p) { p.projection = frustum(-1, 1, 0, 1e-50, 1e50, 1e51); }},
+      {"right 1e-45", lens(-1, kBig, -1, 1, 1, 2)},
+      {"top 1e-45", lens(-1, 1, 0, 9e-46, 1, 2)},
+      {"right window", [](Parts& p) { p.projection = frustum(-1, 1e30, -1, 1, 1e-20, 1); }},
+      {"top window", [](Parts& p) { p.projection = frustum(-1, 1, 0, 1e-30, 1e20, 1e21); }},
       // Viewports
       {"viewport.width", [](Parts& p) { p.viewport = {}; }},
       {"viewport.width", [](Parts& p) { p.viewport.width = -600; }},
@@ -163,8 +163,8 @@ TEST_CASE("A tile of no picture, or that is none, is refused by name") {
 }
 
 TEST_CASE("An aspect and a tile beyond what doubles can tell apart are refused") {
-  for (double aspect : {9e-91, 1.1e90}) CHECK(fieldAtFault([&] { perspective(60, aspect, 0.1, 100); }) == "aspect");
+  for (double aspect : {9e-46, 1.1e45}) CHECK(fieldAtFault([&] { perspective(60, aspect, 0.1, 100); }) == "aspect");
   const Projection lens = perspective(60, 1.5, 0.1, 100);
-  CHECK(fieldAtFault([&] { cropped(lens, {1e80, 1}, Crop{0, 0, 1e-20, 1}); }) == "right");
-  CHECK(fieldAtFault([&] { cropped(lens, {1, 1e80}, Crop{0, 0, 1, 1e-20}); }) == "top");
+  CHECK(fieldAtFault([&] { cropped(lens, {1e40, 1}, Crop{0, 0, 1e-10, 1}); }) == "right");
+  CHECK(fieldAtFault([&] { cropped(lens, {1, 1e40}, Crop{0, 0, 1, 1e-10}); }) == "top");
 }

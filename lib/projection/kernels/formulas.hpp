@@ -304,7 +304,7 @@ class RayFormula {
   explicit RayFormula(const ProjectionConstants& camera) : camera_(camera) {}
 
   struct Direction {
-    D x, y, z, squaredLength;
+    D x, y, z;
   };
 
   Direction operator()(D px, D py) const {
@@ -317,9 +317,8 @@ class RayFormula {
     const D x = c * camera.rayW.x + (a * camera.rayX.x + b * camera.rayY.x);
     const D y = c * camera.rayW.y + (a * camera.rayX.y + b * camera.rayY.y);
     const D z = c * camera.rayW.z + (a * camera.rayX.z + b * camera.rayY.z);
-    const D squared = x * x + y * y + z * z;
-    const D length = L::squareRoot(squared);
-    return {x / length, y / length, z / length, squared};
+    const D length = L::squareRoot(x * x + y * y + z * z);  // below 1e280 in the domain
+    return {x / length, y / length, z / length};
   }
 
   /// value - center. hi + lo is rounded once.

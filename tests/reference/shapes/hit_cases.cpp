@@ -52,7 +52,7 @@ Vec3 anyDirection(Random& r) {
 }
 
 /// A number of any magnitude that a double has.
-double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.logUniform(1e-300, 1e90); }
+double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.logUniform(1e-300, 1e45); }
 Vec3 anyVector(Random& r) { return {any(r), any(r), any(r)}; }
 
 /// The same scene in other units and another place; whole numbers stay exact.
@@ -276,7 +276,7 @@ HitCase plane(Random& r) {
   const double size = r.logUniform(1e-3, 1e3);
   const Placing p = placing(r);
   return {{p.point(r.vector(size)), anyDirection(r)},
-          Plane{p.point(r.vector(size)), r.vector(r.logUniform(1e-200, 1e90))}};
+          Plane{p.point(r.vector(size)), r.vector(r.logUniform(1e-200, 1e45))}};
 }
 
 /// Parallel, within, starting on: exactly.
