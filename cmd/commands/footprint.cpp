@@ -213,7 +213,7 @@ int runFootprint(const FootprintOptions& o) {
     for (const std::size_t i : which) {
       std::string place;
       try {
-        const CameraFile file = o.camera.readOne(*cameras, i);
+        const CameraFile file = o.camera.readOne(*cameras, i, true, BoxLack::nearAndFar);
         if (!file.isTyped) place = file.name + ": ";
         FootprintOptions here = o;
         if (o.altitude) here.height = heightOfAltitude(file, *o.altitude);
