@@ -233,9 +233,17 @@ void addPatches(const Json& object, const std::string& path, std::vector<Patch>&
   }
 }
 
+/// What looks like JSON and is none is told as that.
+void requireJson(const std::string& label, const std::string& text) {
+  if (!text.starts_with('{') && !text.starts_with('[')) return;
+  if (const auto fault = jsonFault(text))
+    throw UsageError(label + " " + text + ": " + fault->message);
+}
+
 }  // namespace
 
 Patch optionPatch(const Field& field, const std::string& text) {
+  if (field.kind == Kind::lens) requireJson(std::string(field.option), text);
   Json value = shortForm(field.kind, text);
   if (Json parsed; field.kind == Kind::lens && !parseJson(text, parsed)) value = std::move(parsed);
   Patch patch{std::string(field.path), std::make_shared<const Json>(std::move(value)), std::string(field.option)};
@@ -261,6 +269,7 @@ Patch setPatch(const std::string& text) {
     if (!field.alias.empty() && field.alias == first) path = std::string(field.path) + path.substr(first.size());
   const Field* const field = findField(path);
   const bool isText = field && field->kind == Kind::text && written != "null" && !written.starts_with('"');
+  if (!isText) requireJson(label, written);
   Json value;
   if (isText || jsonFault(written))
     value = field                                    ? shortForm(field->kind, written)

@@ -98,7 +98,8 @@ struct ProjectionReader {
   }
 
   Projection orthographic() const {
-    const bool mayLack = options.boxMayLack, hasNear = has("projection.near"), hasFar = has("projection.far");
+    const bool mayLack = options.boxMayLack != BoxLack::nothing;
+    const bool hasNear = has("projection.near"), hasFar = has("projection.far");
     if (!hasNear && !mayLack) fail("needs near");
     if (!hasFar && !mayLack) fail("needs far");
     const double zNear = hasNear || !hasFar ? near : far - 1, zFar = hasFar ? far : zNear + 1;
@@ -110,7 +111,7 @@ struct ProjectionReader {
     if (height > 0) return orthographicHeight(height, aspect(), zNear, zFar);
     if (width > 0) return orthographicWidth(width, aspect(), zNear, zFar);
     if (!has("projection.left") && !has("projection.right") && !has("projection.bottom") && !has("projection.top")) {
-      if (mayLack) return orthographicHeight(1, aspect(), zNear, zFar);
+      if (options.boxMayLack == BoxLack::sizeToo) return orthographicHeight(1, aspect(), zNear, zFar);
       fail("needs left, right, bottom and top, or width or height");
     }
     const auto [left, right, bottom, top] = edges();

@@ -12,11 +12,14 @@
 
 namespace viewproj::cmd {
 
+/// What an orthographic camera may lack, and then gets some of.
+enum class BoxLack : std::uint8_t { nothing, nearAndFar, sizeToo };
+
 struct ReadOptions {
   bool allowStretch = false;
   bool ignoreDistortion = false;
   bool needsPicture = true;  ///< false: of a picture without a size, near, far and depths alone are right
-  bool boxMayLack = false;   ///< an orthographic camera may lack size, near and far, and gets some
+  BoxLack boxMayLack = BoxLack::nothing;
 };
 
 /// A picture, and the tile of it that the camera has.

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
-#include "camera/sea_level.hpp"
 #include "camera/write_camera.hpp"
 #include "commands/pasted_camera.hpp"
 #include "formats/open.hpp"
@@ -30,6 +29,15 @@ void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
   if (!hasLens) return;
   patches.push_back(optionPatch(*findField(isOrthographic ? "projection.height" : "projection.fovY"), "60"));
   if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
+}
+
+/// For a command that moves the camera: the origin, where the options turn it and do not place it.
+void assumePosition(std::vector<Patch>& patches) {
+  const auto isGiven = [&](const auto&... paths) {
+    return std::any_of(patches.begin(), patches.end(), [&](const Patch& p) { return ((p.path == paths) || ...); });
+  };
+  if (isGiven("direction", "rotation", "euler") && !isGiven("position"))
+    patches.push_back(optionPatch(*findField("position"), "0,0,0"));
 }
 
 }  // namespace
@@ -135,6 +143,7 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
       if (patch.path == "convention" || patch.path == "convention.preset")
         throw UsageError(patch.label + " and --read-as both say how the file is read; keep one");
   if (takesAnyLens_ && isTyped) assumeLens(all.patches, viewport_.has_value());
+  if (takesAnyPosition_ && isTyped) assumePosition(all.patches);
   return all;
 }
 
@@ -187,7 +196,7 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture,
-                                  bool boxMayLack) const {
+                                  BoxLack boxMayLack) const {
   CameraFile file = [&] {
     try {
       return readCamera(cameras.document(which), reading(needsPicture, boxMayLack));
@@ -196,6 +205,8 @@ CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, b
       throw;
     }
   }();
+  if (hasGeoid() && !file.worldIsEcef)
+    throw UsageError("--geoid is of heights on the Earth, and " + file.name + " is not there");
   for (const std::string& each : file.notes) note(each);
   if (const std::string unread = cameras.unreadOf(which); !unread.empty()) note(file.name + ": not read: " + unread);
   return file;

@@ -10,6 +10,7 @@
 
 #include "camera/camera_set.hpp"
 #include "camera/read_camera.hpp"
+#include "camera/sea_level.hpp"
 #include "commands/cli.hpp"
 
 namespace viewproj::cmd {
@@ -34,6 +35,8 @@ class CameraOptions {
   void takeAnyLens() { takesAnyLens_ = true; }
   /// For a command that tells of matrices in a text, unless options want a camera of them.
   void showMatrices() { showsMatrices_ = true; }
+  /// For a command that moves the camera: options without a position are enough.
+  void takeAnyPosition() { takesAnyPosition_ = true; }
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
@@ -46,11 +49,11 @@ class CameraOptions {
   };
   std::vector<Picked> readFiles() const;
   /// How they are read.
-  ReadOptions reading(bool needsPicture = true, bool boxMayLack = false) const {
+  ReadOptions reading(bool needsPicture = true, BoxLack boxMayLack = BoxLack::nothing) const {
     return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack};
   }
   CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true,
-                     bool boxMayLack = false) const;
+                     BoxLack boxMayLack = BoxLack::nothing) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
   int writeEach(bool needsPicture,
@@ -63,7 +66,9 @@ class CameraOptions {
   /// The convention of --read-as.
   std::optional<Convention> readAs() const;
   /// Whether an option says something of a camera, which matrices in a text have no place for.
-  bool changesCamera() const { return !patches_.empty() || viewport_ || allowStretch_ || ignoreDistortion_; }
+  bool changesCamera() const {
+    return !patches_.empty() || viewport_ || allowStretch_ || ignoreDistortion_ || hasGeoid();
+  }
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const Convention& read) const;
@@ -86,7 +91,8 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesAnyLens_ = false, showsMatrices_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
+  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = false,
+       allowStretch_ = false, ignoreDistortion_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -127,8 +127,9 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
   }
   for (const char* option : {"--convention", "--reverse-z", "--no-reverse-z", "--ndc-z"})
     if (o.form != kCamera && isGiven(app, option))
-      throw UsageError(std::string(option) + " goes with --to camera; " + std::string(*o.form) +
-                       " has a convention of its own. --read-as says how a file is read");
+      throw UsageError(
+          std::string(option) + " goes with --to camera; " + std::string(*o.form) +
+          " has a convention of its own; --read-as NAME says in which convention the file or the options are");
   const bool isTable = o.form == "csv" && o.angles && (o.angles->first == "opk" || o.angles->first == "rpy");
   if (o.angles && o.form != kCamera && !isTable)
     throw UsageError("--angles goes with --to camera, and opk and rpy with --to csv");

@@ -48,7 +48,7 @@ int runFit(const FitOptions& o) {
   StreamSetup setup = o.stream.setup(kSphereColumns);
   const bool reads = o.stream.reads(setup);
   const auto [cameras, pick] = o.camera.readAll();
-  const CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), true, true);
+  const CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), true, BoxLack::sizeToo);
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   requireStraightEdges(file, "fit");
   (void)makeCamera(file);  // names the part that it lacks
@@ -98,7 +98,10 @@ Action declareFit(CLI::App& app) {
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "a camera file", ".json");
-  return [o] { return runFit(*o); };
+  return [o] {
+    if (o->by.value_or(Means::place) == Means::place) o->camera.takeAnyPosition();
+    return runFit(*o);
+  };
 }
 
 }  // namespace viewproj::cmd

@@ -216,7 +216,7 @@ int runFootprint(const FootprintOptions& o) {
     for (const std::size_t i : which) {
       std::string place;
       try {
-        const CameraFile file = o.camera.readOne(*cameras, i);
+        const CameraFile file = o.camera.readOne(*cameras, i, true, BoxLack::nearAndFar);
         if (!file.isTyped) place = file.name + ": ";
         writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
       } catch (const InputError& e) {

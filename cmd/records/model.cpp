@@ -1,5 +1,6 @@
 #include "records/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -9,11 +10,46 @@
 #include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "text/error.hpp"
+#include "text/file.hpp"
 #include "text/number.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {
+
+/// Three numbers, or one for all three.
+Vec3 readScale(const Node& value) {
+  if (!value.json().is_number()) return value.vec3();
+  return {value.number(), value.number(), value.number()};
+}
+
+/// 4 rows of 4 as numpy and `matrix --to text` print them: numbers, and nothing else but brackets, commas and comments.
+std::optional<Json> rowsOf(const std::string& text) {
+  Json rows = Json::array();
+  std::size_t count = 0;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    if (*at == '#') {
+      at = std::find(at, end, '\n');
+    } else if (std::string_view(" \t\r\n[](),;").find(*at) != std::string_view::npos) {
+      ++at;
+    } else {
+      double number = 0;
+      at = readNumber(at, end, number);
+      if (!at || count == 16) return std::nullopt;
+      if (count++ % 4 == 0) rows.push_back(Json::array());
+      rows.back().push_back(number);
+    }
+  }
+  return count == 16 ? std::optional(std::move(rows)) : std::nullopt;
+}
+
+Document loadModel(const std::string& source) {
+  if (isInlineJson(source)) return load(source, "--model");
+  std::string text = readWholeFile(source, kMostDocumentBytes);
+  if (auto rows = rowsOf(text)) return {shownName(source), std::make_shared<Json>(*std::move(rows))};
+  return parseDocument(shownName(source), std::move(text));
+}
 
 Mat4 readParts(const Node& model) {
   const auto vector = [&](const char* key, const Vec3& fallback) {
@@ -26,7 +62,8 @@ Mat4 readParts(const Node& model) {
     rotation = {q[0], q[1], q[2], q[3]};
   }
   try {
-    return worldFromLocal(vector("translation", {0, 0, 0}), rotation, vector("scale", {1, 1, 1}));
+    const auto scale = model.find("scale");
+    return worldFromLocal(vector("translation", {0, 0, 0}), rotation, scale ? readScale(*scale) : Vec3{1, 1, 1});
   } catch (const CameraError& e) {
     model.fail(e.what());
   }
@@ -101,7 +138,7 @@ Mat4 readModel(const std::string& source) {
   }
   if (source.find(',') != std::string::npos && parseNumberList(source))
     throw UsageError("--model " + source + ": expected a file or the JSON itself: " + kForms);
-  const Document document = load(source, "--model");
+  const Document document = loadModel(source);
   const Node model(document);
   if (model.json().is_object()) {
     allowMembers(model, {"name", "translation", "rotation", "scale"});
