@@ -71,7 +71,8 @@ Mat4 readParts(const Node& model) {
 
 void requireNumbers(const Vec3& v, const char* field) {
   for (const double x : {v.x, v.y, v.z})
-    if (!(std::fabs(x) <= kLargestNumber)) throw CameraError(field, "has a component that is not a finite number up to 1e45");
+    if (!(std::fabs(x) <= kLargestNumber))
+      throw CameraError(field, "has a component that is not a finite number up to 1e45");
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ inline void requireNumber(double value, const char* field) {
 }
 
 /// An entry of a vector, a rotation or a lens: 0 if it is below kSmallestNumber.
-inline double checkedEntry(double value, const char* field,
-                           const char* fault = "must be a finite number up to 1e45") {
+inline double checkedEntry(double value, const char* field, const char* fault = "must be a finite number up to 1e45") {
   if (!(std::fabs(value) <= kLargestNumber)) throw CameraError(field, fault);
   return std::fabs(value) < kSmallestNumber ? 0 : value;
 }

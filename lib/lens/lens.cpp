@@ -157,11 +157,6 @@ Camera withLens(const Camera& camera, const Lens& lens) {
   return isPinhole(parts(lens)) ? pinhole : withLens(pinhole, Access::shared(lens), parts(lens).scale);
 }
 
-Camera withoutLens(const Camera& camera) noexcept {
-  const auto& pinhole = parts(camera).pinhole;
-  return pinhole ? Access::whole<Camera>(pinhole) : camera;
-}
-
 std::optional<Lens> lensOf(const Camera& camera) noexcept {
   const auto& lens = parts(camera).lens;
   return lens ? std::optional(Access::whole<Lens>(lens)) : std::nullopt;

@@ -85,11 +85,10 @@ void setLimits(LensParts& lens);
 /// How fast the slope of Brown's polynomials can change between these radii. Infinite next to a pole.
 double curvature(const LensParts& lens, double from, double to) noexcept;
 
-/// Whether a lens sees this direction; only then has it a pixel. A direction within 2^-49 of the limit is not seen.
+/// Whether a lens sees a direction: isSeen() of lens/map.hpp.
 struct Seen {
   bool isSeen, certain;
 };
-Seen isSeen(const LensParts& lens, const Sight<DoubleDouble>& at) noexcept;
 
 /// The direction that is put there, before `scale`, of unit length, and how far it may be from the true one in radians;
 /// NaN where none is proven to be the only one: lib/lens/undistort.cpp.

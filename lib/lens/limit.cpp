@@ -211,34 +211,6 @@ Cone coneOfDegrees(double degrees) {
   return {toDoubleDouble(s.sine.rounded()), toDoubleDouble(s.cosine.rounded()), LimitCause::stated};
 }
 
-/// How fast the slope of Brown's polynomials can change, between two radii: the second derivative of
-///   x g(u):  2 g' (v (x.w) + w (x.v) + x (v.w)) + 4 g'' x (x.v) (x.w),  and of what p1 and p2 add
-/// from the sizes of all terms. Infinite next to a pole.
-double curvatureOfBrown(const LensParts& lens, double from, double to) {
-  const double u = to * to, low = from * from;
-  /// Sizes of a series, of its first and its second derivative in u.
-  struct Sizes {
-    double value = 1, first = 0, second = 0;
-  };
-  const auto sizesAt = [](std::span<const double> k, double at) {
-    Sizes s;
-    double power = 1;  // of at, by i
-    for (std::size_t i = 0; i < k.size(); ++i, power *= at) {
-      const double size = std::fabs(k[i]), n = double(i + 1);
-      s.value += size * power * at;
-      s.first += n * size * power;
-      if (i > 0) s.second += n * (n - 1) * size * power / at;
-    }
-    return s;
-  };
-  const Sizes n = sizesAt(lens.numerator(), u), d = sizesAt(lens.denominator(), u);
-  const double least = series(lens.denominator(), low) - (d.value - sizesAt(lens.denominator(), low).value);
-  if (!(least > 0)) return kInfinity;
-  const double g = n.value / least, g1 = (n.first + g * d.first) / least;
-  const double g2 = (n.second + 2 * g1 * d.first + g * d.second) / least;
-  return 1.01 * (6 * g1 * to + 4 * g2 * to * u + 6 * lens.tangential);
-}
-
 /// How far the curvature and the sizes of the terms are below kGentle.
 double gentleEnd(const LensParts& lens) {
   if (lens.isAngle) {
@@ -252,7 +224,7 @@ double gentleEnd(const LensParts& lens) {
   for (double step = 0x1p-4; step > 0x1p-12 && gentle < kLargestRadius;) {
     const double to = std::max(gentle, 0x1p-20) * (1 + step);
     const double terms = to + brownResponse(lens, gentle, to).rounding;
-    const bool isGentle = curvatureOfBrown(lens, gentle, to) <= kGentle && terms <= kGentle;
+    const bool isGentle = curvature(lens, gentle, to) <= kGentle && terms <= kGentle;
     if (isGentle) gentle = to;
     step = isGentle ? std::min(2 * step, 0x1p-4) : step / 2;
   }
@@ -260,8 +232,6 @@ double gentleEnd(const LensParts& lens) {
 }
 
 }  // namespace
-
-double curvature(const LensParts& lens, double from, double to) noexcept { return curvatureOfBrown(lens, from, to); }
 
 void setLimits(LensParts& lens) {
   Cone cone{0, -1, LimitCause::none};
@@ -296,14 +266,6 @@ void setLimits(LensParts& lens) {
     const double outer = ((r * radialFactor(lens, u)).hi + 3 * lens.tangential * u.hi) * (1 + 0x1p-30);
     if (outer > 0) lens.edge = outer;  // next to a pole there is none
   }
-}
-
-Seen isSeen(const LensParts& lens, const Sight<DoubleDouble>& at) noexcept {
-  if (lens.limitCosine.hi <= 0 && at.forward.hi > 0) return {true, true};
-  const DoubleDouble r = sqrt(at.right * at.right + at.down * at.down);
-  const double length = std::sqrt(r.hi * r.hi + at.forward.hi * at.forward.hi);
-  const double side = (at.forward * lens.limitSine - r * lens.limitCosine).hi, limit = 0x1p-49 * length;
-  return {side > limit, std::fabs(side - limit) > 0x1p-94 * length};
 }
 
 }  // namespace viewproj::detail

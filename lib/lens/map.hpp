@@ -104,6 +104,15 @@ template <class Number>
   return lens.isScaled ? PlanePoint<Number>{Number(lens.scale) * at.x, Number(lens.scale) * at.y} : at;
 }
 
+/// Whether a lens sees this direction; only then has it a pixel. A direction within 2^-49 of the limit is not seen.
+inline Seen isSeen(const LensParts& lens, const Sight<DoubleDouble>& at) noexcept {
+  if (lens.limitCosine.hi <= 0 && at.forward.hi > 0) return {true, true};
+  const DoubleDouble r = sqrt(at.right * at.right + at.down * at.down);
+  const double length = std::sqrt(r.hi * r.hi + at.forward.hi * at.forward.hi);
+  const double side = (at.forward * lens.limitSine - r * lens.limitCosine).hi, limit = 0x1p-49 * length;
+  return {side > limit, std::fabs(side - limit) > 0x1p-94 * length};
+}
+
 // ---- How far it may be from the true one
 
 /// Operations of double-double are within 10 2^-106, of lanes of it 2^-101.
@@ -118,8 +127,8 @@ struct Response {
   D stretch, rounding;
 };
 
-/// More than a series in u and than 2 u times its slope, in magnitude, and less than the series, for all u from `low` to
-/// `high`. A sum is what it is at `low`, and changes by less than its terms do. terms: more than their sizes.
+/// More than a series in u and than 2 u times its slope, in magnitude, and less than the series, for all u from `low`
+/// to `high`. A sum is what it is at `low`, and changes by less than its terms do. terms: more than their sizes.
 template <class D>
 struct SeriesRange {
   D most, slope, least, terms;

@@ -165,4 +165,32 @@ Undistorted undistort(const LensParts& lens, const PlanePoint<DoubleDouble>& tar
   return {{pair(at.right), pair(at.down), pair(at.forward)}, error};
 }
 
+/// The second derivative of
+///   x g(u):  2 g' (v (x.w) + w (x.v) + x (v.w)) + 4 g'' x (x.v) (x.w),  and of what p1 and p2 add
+/// from the sizes of all terms.
+double curvature(const LensParts& lens, double from, double to) noexcept {
+  const double u = to * to, low = from * from;
+  /// Sizes of a series, of its first and its second derivative in u.
+  struct Sizes {
+    double value = 1, first = 0, second = 0;
+  };
+  const auto sizesAt = [](std::span<const double> k, double at) {
+    Sizes s;
+    double power = 1;  // of at, by i
+    for (std::size_t i = 0; i < k.size(); ++i, power *= at) {
+      const double size = std::fabs(k[i]), n = double(i + 1);
+      s.value += size * power * at;
+      s.first += n * size * power;
+      if (i > 0) s.second += n * (n - 1) * size * power / at;
+    }
+    return s;
+  };
+  const Sizes n = sizesAt(lens.numerator(), u), d = sizesAt(lens.denominator(), u);
+  const double least = series(lens.denominator(), low) - (d.value - sizesAt(lens.denominator(), low).value);
+  if (!(least > 0)) return kInfinity;
+  const double g = n.value / least, g1 = (n.first + g * d.first) / least;
+  const double g2 = (n.second + 2 * g1 * d.first + g * d.second) / least;
+  return 1.01 * (6 * g1 * to + 4 * g2 * to * u + 6 * lens.tangential);
+}
+
 }  // namespace viewproj::detail

@@ -1,10 +1,10 @@
 #include "viewproj/screen.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
+#include "projection/blocks.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
 
@@ -14,22 +14,6 @@ using namespace detail;
 namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
-
-/// Points go in blocks: input and output may be the same memory, and a point that is not settled is read again.
-constexpr std::size_t kBlock = 192;
-
-/// Of a block, the points that a kernel has left: use(index) settles each.
-struct Left {
-  std::uint64_t bits[kBlock / 64] = {};
-
-  bool has(std::size_t i) const noexcept { return bits[i / 64] >> i % 64 & 1; }
-  template <class Use>
-  void each(const Use& use) const noexcept {
-    for (std::size_t i = 0; i < kBlock; i += 64)
-      for (std::uint64_t rest = bits[i / 64]; rest; rest &= rest - 1)
-        use(i + static_cast<std::size_t>(std::countr_zero(rest)));
-  }
-};
 
 Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
   return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
@@ -166,31 +150,6 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
     }
   }
   return counts;
-}
-
-void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
-  const CameraParts& c = parts(camera);
-  const std::size_t count = std::min(pixels.size(), directions.size());
-  const auto settle = [&](std::size_t i) { directions[i] = screenToRay(camera, pixels[i]).direction; };
-  if (c.projection.orthographic) {
-    for (std::size_t i = 0; i < count; ++i)
-      if (isInDomain(pixels[i]))
-        directions[i] = c.direction;
-      else
-        settle(i);
-  } else {
-    const auto rays = c.lens ? kernels().raysThroughLens : kernels().rays;
-    for (std::size_t i = 0; i < count; i += kBlock) {
-      Left left;
-      rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
-      left.each([&](std::size_t j) { settle(i + j); });
-    }
-  }
-}
-
-void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
-  const std::size_t count = std::min(pixels.size(), rays.size());
-  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], origin);
 }
 
 }  // namespace viewproj

@@ -106,15 +106,6 @@ LensPixel detail::bentPixel(const CameraParts& c, const Sight<DoubleDouble>& sig
   return {{rounded(x), roundsAlike(x, error)}, {rounded(y), roundsAlike(y, error)}, seen};
 }
 
-Sight<DoubleDouble> detail::sightOf(const CameraParts& c, const Vec2& screen) noexcept {
-  const ProjectionConstants& k = c.constants;
-  const LensSight found = kernels().lensSight(k, screen);
-  if (found.isSettled) return found.hasNone ? Sight<DoubleDouble>{kNaN, kNaN, kNaN} : found.at;
-  return undistortSlowly(*c.lens,
-                         {sumOrZero(screen.x, -k.centerX) * k.perScaleX, sumOrZero(screen.y, -k.centerY) * k.perScaleY})
-      .at;
-}
-
 double detail::boundThroughLens(const Camera& camera, const Vec4& point, double pointError) noexcept {
   const CameraParts& c = parts(camera);
   const ScreenPoint p = worldToScreen(camera, point);
@@ -131,23 +122,10 @@ ErrorBound detail::boundInPictureThroughLens(const CameraParts& c) noexcept {
   return {halfUlp(position) * 1.02 + errorInPicture(c), boundWithin(*c.pinhole, reach, Precision::exact).depth};
 }
 
-LensShift lensShift(const Camera& camera) noexcept {
-  const CameraParts& c = parts(camera);
-  if (!c.lens) return {};
-  constexpr int kSteps = 16;
-  LensShift shift;
-  for (int i = 0; i <= kSteps; ++i)
-    for (int j = 0; j <= kSteps; ++j) {
-      const auto between = [](double first, double last, int step) { return first + (last - first) * step / kSteps; };
-      const Vec2 pixel{between(c.corners.first.x, c.corners.last.x, i),
-                       between(c.corners.first.y, c.corners.last.y, j)};
-      shift.behind += sightOf(c, pixel).forward.hi <= 0;
-      const Vec3 ray = screenToRay(camera, pixel).direction;
-      const ScreenPoint pinhole = worldToScreen(withoutLens(camera), Vec4{ray.x, ray.y, ray.z, 0});
-      shift.largest =
-          std::fmax(shift.largest, length(pinhole.x - pixel.x, pinhole.y - pixel.y));  // a NaN counts as nothing
-    }
-  return shift;
+// Here, because projecting a point needs nothing else of lens.cpp and limit.cpp: who makes no lens links neither.
+Camera withoutLens(const Camera& camera) noexcept {
+  const auto& pinhole = parts(camera).pinhole;
+  return pinhole ? Access::whole<Camera>(pinhole) : camera;
 }
 
 }  // namespace viewproj
