@@ -23,8 +23,8 @@ OrderedJson depthReport(const DepthMapping& mapping, std::span<const double> dis
 /// The distance of each depth; throws UsageError for one that no buffer of the range holds.
 OrderedJson distanceReport(const DepthMapping& mapping, std::span<const double> depths);
 
-/// Of each distance the nearest near plane with which each buffer resolves the gap; perspective. Throws UsageError for a
-/// distance beyond far.
+/// Of each distance the nearest near plane with which each buffer resolves the gap; perspective. Throws UsageError for
+/// a distance beyond far.
 OrderedJson nearReport(const DepthMapping& mapping, double gap, std::span<const double> distances);
 
 /// Decades from near to far, or for 1e8 near distances where far is infinite, with 2 and 5 between them in a short
