@@ -62,16 +62,15 @@ Json pictureOf(const Node& row) {
       throw InputError(row.document().name + ": " + fileOf(row) + ": needs " + std::string(name) + otherwise);
     return *number;
   };
-  // DJI's is above the ellipsoid where the drone has RTK; the camera's own is above sea level.
-  const auto altitude = cellOf(row, "AbsoluteAltitude") ? std::nullopt : cellOf(row, "GPSAltitude");
-  Json camera{{"position",
-               {{"lat", cell("GPSLatitude")},
-                {"lon", cell("GPSLongitude")},
-                {altitude && hasGeoid() ? "altitude" : "height",
-                 altitude ? *altitude : cell("AbsoluteAltitude", " or GPSAltitude")}}},
-              {"heading", cell("GimbalYawDegree")},
-              {"pitch", cell("GimbalPitchDegree")},
-              {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
+  const auto altitude = cellOf(row, "AbsoluteAltitude");
+  Json camera{
+      {"position",
+       {{"lat", cell("GPSLatitude")},
+        {"lon", cell("GPSLongitude")},
+        {hasGeoid() ? "altitude" : "height", altitude ? *altitude : cell("GPSAltitude", " or AbsoluteAltitude")}}},
+      {"heading", cell("GimbalYawDegree")},
+      {"pitch", cell("GimbalPitchDegree")},
+      {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
   const auto w = cellOf(row, "ImageWidth"), h = cellOf(row, "ImageHeight");
   if (w && h) camera["viewport"] = {{"width", *w}, {"height", *h}};
   if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && row.find("DewarpData"))

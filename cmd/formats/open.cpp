@@ -165,6 +165,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
       read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = pick ? std::nullopt : printedPose(unknown.text)) return factorOf(*pose, field);
+    if (isInlineJson(name)) throw;
     throw InputError(shownName(name) +
                      ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
                      "or {\"rotation\", \"translation\"}");

@@ -48,7 +48,7 @@ std::span<const FormRow<Form>> inputForms() {
   static constexpr FormRow<Form> kRows[] = {
       {"json", Form::json, ".json .ndjson .jsonl",
        "objects or [x,y,z]: one after the other, in an array, under \"points\""},
-      {"csv", Form::csv, ".csv .tsv", "a header and rows; without a header the first columns are the coordinates"},
+      {"csv", Form::csv, ".csv .tsv", "a header and rows, or rows that begin with coordinates"},
       {"text", Form::text, ".xyz", "numbers separated by blanks, a point a line"},
       {"f64", Form::f64, ".f64", "little-endian doubles, three a point or --width N (a pixel: x, y, depth)"},
       {"f32", Form::f32, ".f32", "the same as little-endian floats"},

@@ -351,7 +351,7 @@ TEST_CASE("poses are read from what people hold, and the option's direction coun
   opening.direction = "worldFromCamera";
   const auto cameras = openCameras(camera, opening, {});
   (void)cameras->document(0);
-  CHECK(cameras->unreadOf(0) == "its own pose, which --world-from-camera replaces");
+  CHECK(cameras->unreadOf(0).starts_with("its own pose, which --world-from-camera replaces"));
 }
 
 TEST_CASE("numbers mean what the format says") {

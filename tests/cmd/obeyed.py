@@ -424,7 +424,7 @@ row("ray", "--plane z=0", says("hit"), beside="")
 row("footprint", "--plane z=1", same(beside="--plane 0,0,1,-1 --max-distance 40 --to json"))
 row("ray", "--height 1", same(LOCAL, beside="--plane z=1 --fields origin,hit"), LOCAL, beside="--fields origin,hit")
 row("footprint", "--height 1", same(LOCAL, "--plane z=1 --to csv --max-distance 40"), LOCAL, "--to csv --max-distance 40")
-row("ray footprint", "--altitude 400", same(EARTH, beside="--geoid 50 --height 450"), EARTH, beside="--geoid 50")
+row("ray footprint draw info", "--altitude 400", same(EARTH, beside="--geoid 50 --height 450"), EARTH, beside="--geoid 50")
 row("info", "--height 0", says('"horizon": {'), LOCAL)
 row("draw", "--height 0", says("ground"), LOCAL)
 
