@@ -236,8 +236,7 @@ void addPatches(const Json& object, const std::string& path, std::vector<Patch>&
 /// What looks like JSON and is none is told as that.
 void requireJson(const std::string& label, const std::string& text) {
   if (!text.starts_with('{') && !text.starts_with('[')) return;
-  if (const auto fault = jsonFault(text))
-    throw UsageError(label + " " + text + ": " + fault->message);
+  if (const auto fault = jsonFault(text)) throw UsageError(label + " " + text + ": " + fault->message);
 }
 
 }  // namespace

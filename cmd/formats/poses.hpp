@@ -19,7 +19,8 @@ struct PosesOfFile {
 bool holdsPoses(const Node& root);
 /// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
-/// The rows of the one pose that a text has, as a program prints it; of the two layouts the one whose last row is 0 0 0 1.
+/// The rows of the one pose that a text has, as a program prints it; of the two layouts the one whose last row is 0 0
+/// 0 1.
 std::optional<Json> printedPose(std::string_view text);
 
 }  // namespace viewproj::cmd
