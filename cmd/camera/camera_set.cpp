@@ -64,6 +64,8 @@ Import optionsAlone(const CameraPatches& patches) {
   return result;
 }
 
+bool isWhole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
+
 /// Whether a text matches a pattern in which * stands for any text.
 bool matches(std::string_view text, std::string_view pattern) {
   std::size_t at = 0, i = 0, star = std::string_view::npos, afterStar = 0;
@@ -140,6 +142,7 @@ CameraSet::CameraSet(std::string name, Import import, CameraPatches patches, std
   for (std::size_t i = 0; i < size(); ++i) {
     names_[import_.cameras[i].name].push_back(i);
     ids_[import_.cameras[i].id].push_back(i);
+    areNumbered_ = areNumbered_ || isWhole(import_.cameras[i].name) || isWhole(import_.cameras[i].id);
   }
 }
 
@@ -162,7 +165,7 @@ std::string CameraSet::pickOf(std::size_t which) const {
   if (isOnly(camera.name, names_)) return camera.name;
   // Names are preferred to ids, and both to numbers. A number after ## is always a number.
   if (isOnly(camera.id, ids_) && !names_.contains(camera.id)) return camera.id;
-  return (names_.contains(number) || ids_.contains(number) ? "#" : "") + number;
+  return (areNumbered_ ? "#" : "") + number;
 }
 
 std::string CameraSet::someOf(const std::vector<std::size_t>& cameras) const {
@@ -176,6 +179,7 @@ std::vector<std::size_t> CameraSet::called(std::string_view text) const {
   const std::string name(text);
   for (const auto* const named : {&names_, &ids_})
     if (const auto found = named->find(name); !name.empty() && found != named->end()) return found->second;
+  if (areNumbered_ && !text.starts_with('#')) return {};
   const std::string_view digits = text.starts_with('#') ? text.substr(1) : text;
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);

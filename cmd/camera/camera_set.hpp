@@ -106,7 +106,7 @@ class CameraSet {
 
  private:
   std::vector<std::size_t> all() const;
-  /// The cameras of a name, or else of an id; or else the camera of a number.
+  /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string someOf(const std::vector<std::size_t>& cameras) const;
   [[noreturn]] void failPick(const std::string& pick) const;
@@ -118,6 +118,7 @@ class CameraSet {
   Import import_;
   mutable std::mutex importing_;
   std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each
+  bool areNumbered_ = false;                                               ///< a name or an id is a whole number
 };
 
 }  // namespace viewproj::cmd

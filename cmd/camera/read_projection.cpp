@@ -211,6 +211,11 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
       picture->crop =
           Crop{values.require<double>("viewport.crop.x"), values.require<double>("viewport.crop.y"),
                values.require<double>("viewport.crop.width"), values.require<double>("viewport.crop.height")};
+    constexpr double kRounding = 1e-6;
+    if (const auto& c = picture->crop; c && !(c->x >= -kRounding && c->x + c->width <= v.width + kRounding &&
+                                              c->y >= -kRounding && c->y + c->height <= v.height + kRounding))
+      values.fail("viewport.crop.width", "reaches out of the picture of " + formatNumber(v.width) + "x" +
+                                             formatNumber(v.height) + ", in whose pixels it is");
   }
   if (typeOf(values) == kPs2) placePs2(values, convention, picture);
   return picture;

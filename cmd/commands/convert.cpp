@@ -10,6 +10,7 @@
 #include "formats/writer.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
+#include "text/form.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"
@@ -135,6 +136,8 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
     throw UsageError("--angles goes with --to camera, and opk and rpy with --to csv");
   const std::string name = outputFile(app);
   if (o.form == kObservations) {
+    if (!name.empty() && formOfName(name).value_or(Form::json) != Form::json)
+      throw UsageError("observations are a JSON object a line, which " + name + " does not say; call the file .ndjson");
     NamedOutput output(name);
     writeObservations(o, app);
     output.keep();

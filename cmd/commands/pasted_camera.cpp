@@ -78,6 +78,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   MatrixSet set;
   std::optional<Handedness> world;
   set.convention = readAs.value_or(Convention{});
+  if (projection) set.convention.reverseZ = projection->found.readings.front().camera->convention.reverseZ;
   const auto writing = [&](const Convention& own) {
     Convention c = set.convention;
     c.world = own.world;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -113,6 +114,7 @@ struct Left {
   std::vector<double> numbers;
   std::string name;
   Nearness nearness;
+  bool areMembers = false;  ///< the numbers stand in members of their own, which are in the list too
 };
 struct Lists {
   std::vector<Left> left;
@@ -233,16 +235,36 @@ class Unread {
                                                              : Nearness::far;
       for (const auto& [key, member] : value.items())
         if (!isKnown(key)) walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, inside, lists);
+      if (isBeside) addNumbered(node, lists);
     } else if (value.is_array() && value.size() <= kMostNumbers) {
       for (std::size_t i = 0; i < value.size(); ++i)
         walk(Node(*file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, Nearness::far, lists);
     }
   }
 
+  /// Members that differ in an index alone, as m00, m01 or rvec_x, are the numbers of one.
+  void addNumbered(const Node& node, Lists& lists) const {
+    std::map<std::string, Left> groups;
+    for (const auto& [key, member] : node.json().items()) {
+      const Node each(*file_, member, joinedPath(node.path(), key));
+      const std::size_t end = key.find_last_not_of("0123456789_");
+      const bool isAxis = key.size() > 2 && std::string_view("xyzw").find(key.back()) != std::string_view::npos &&
+                          std::string_view("._").find(key[key.size() - 2]) != std::string_view::npos;
+      std::string stem = isAxis ? key.substr(0, key.size() - 2) : key.substr(0, end == key.npos ? 0 : end + 1);
+      if (stem.size() == key.size() || isKnown(key) || each.isMarked()) continue;
+      const auto numbers = numbersIn(member);
+      if (!numbers || numbers->size() != 1) continue;
+      if (stem.ends_with('.')) stem.pop_back();
+      groups.try_emplace(stem, Left{each, {}, stem, Nearness::beside, true})
+          .first->second.numbers.push_back((*numbers)[0]);
+    }
+    for (auto& [stem, group] : groups) lists.left.push_back(std::move(group));
+  }
+
   void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
-    if (isKnown(left.name, "?")) return names.push_back(left.node.path());
+    if (!left.areMembers && isKnown(left.name, "?")) return names.push_back(left.node.path());
     if (!left.numbers.empty() && hasWord(left.name, kNoise)) return;
     const std::vector<double> m = oneOf(left.node, left.numbers);
     const std::size_t count = m.size();
@@ -254,8 +276,11 @@ class Unread {
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
       left.node.fail(
-          "is not read, and may be the camera's pose: call it cameraFromWorld or worldFromCamera, or take it out; "
-          "--parts reads it under any name");
+          std::string("is not read, and may be the camera's pose: call it cameraFromWorld or "
+                      "worldFromCamera, ") +
+          (isDigit(left.node.path()[0]) ? "its numbers x, y, z, qx, qy, qz, qw of the camera in the world, " : "") +
+          "or take it out; --parts reads it under any name");
+    if (left.areMembers) return;
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
     const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, kRatios);

@@ -28,8 +28,12 @@ std::string_view plain(char32_t c) {
                        : "";
 }
 
-/// LaTeX's 1.2\times10^{3} as 1.2e3.
+/// LaTeX's 1.2\times10^{3} and Mathematica's 1.2*^3 as 1.2e3.
 std::string withExponents(const std::string& t) {
+  if (t.find("*^") != kNone) {
+    static const std::regex starred(R"(([\d.])\*\^([-+]?\d{1,3}))");
+    return std::regex_replace(t, starred, "$1e$2");
+  }
   if (t.find("10^") == kNone) return t;
   static const std::regex power(R"( ?\\(?:times|cdot) ?10\^\{?([-+]?\d{1,3})\}?)");
   return std::regex_replace(t, power, "e$1");
