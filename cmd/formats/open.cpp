@@ -195,7 +195,8 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t num
   return camera;
 }
 
-/// Each camera at the pose, or one camera at each pose. name: of the cameras' file; several poses set it to their own.
+/// Each camera at the pose, or one camera at each pose: in a folder of the name that picked it. name: of the cameras'
+/// file; several poses set it to their own.
 Import atPoses(Import result, const Opening& opening, std::string& name) {
   const auto factors = std::make_shared<std::vector<PoseFactor>>();
   const PoseFactor* several = nullptr;
@@ -204,11 +205,16 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
     factors->push_back(factorOf(source, opening));
     const PoseFactor& factor = factors->back();
     if (factor.cameras.size() == 1) continue;
-    if (several || result.cameras.size() > 1)
+    if (several || (result.cameras.size() > 1 && !opening.pick))
       throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
                        (several ? " poses, and another file does too" : " poses for several cameras") +
                        "; pick one of either");
     several = &factor;
+  }
+  std::string folder;
+  if (several && opening.pick) {
+    result.cameras = {result.cameras[CameraSet(name, result, {}).choose(opening.pick)]};
+    folder = *opening.pick + "/";
   }
   const bool isWorldFirst = opening.direction == "worldFromCamera";
   const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
@@ -231,8 +237,11 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   }
   Import all;
   name = several->file->name;
-  for (std::size_t i = 0; i < several->cameras.size(); ++i)
-    all.add(several->cameras[i].name, several->cameras[i].id, moved(result.cameras.front(), i));
+  for (std::size_t i = 0; i < several->cameras.size(); ++i) {
+    const CameraEntry& pose = several->cameras[i];
+    all.add(folder + (folder.empty() || !pose.name.empty() ? pose.name : std::to_string(i)), pose.id,
+            moved(result.cameras.front(), i));
+  }
   return all;
 }
 
