@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/names.hpp"
+#include "camera/plain_camera.hpp"
+#include "camera/read_convention.hpp"
+#include "camera/read_pose.hpp"
 #include "formats/claims.hpp"
 #include "formats/colmap.hpp"
 #include "formats/parts.hpp"
@@ -141,6 +145,7 @@ struct PoseFactor {
   std::shared_ptr<Document> file;
   std::vector<CameraEntry> cameras;  ///< that have the pose
   std::string field;
+  bool isOfCamera = false;  ///< of axes that its file states
 };
 
 /// A pose that is typed, or printed in a file of no form.
@@ -156,13 +161,13 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
   const auto [name, pick] = splitPick(source);
   const auto file = std::make_shared<Document>();
   PosesOfFile read;
+  bool isOfCamera = false;
   try {
     *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world");
     file->marks = std::make_shared<std::unordered_set<const void*>>();
     read = posesOf(Node(*file));
-    // A camera's pose.
-    if (read.poses.cameras.empty())
-      read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
+    isOfCamera = read.poses.cameras.empty();
+    if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = pick ? std::nullopt : printedPose(unknown.text)) return factorOf(*pose, field);
     if (isInlineJson(name)) throw;
@@ -172,7 +177,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
-  PoseFactor factor{file, {}, read.field};
+  PoseFactor factor{file, {}, read.field, isOfCamera};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
     factor.cameras.push_back(read.poses.cameras[i]);
   return factor;
@@ -182,14 +187,44 @@ constexpr const char* kPoseFields[] = {"position", "rotation",        "target", 
                                        "up",       "euler",           "heading",        "pitch",
                                        "roll",     "worldFromCamera", "cameraFromWorld"};
 
+/// What a document says of its axes, and where its camera stands.
+struct Stand {
+  CameraAxes axes;
+  Handedness world;
+  std::optional<Pose> pose;
+
+  explicit Stand(Document document) {
+    normalize(document);
+    const FieldValues values = readValues(document);
+    const DocumentConvention stated = readConvention(values);
+    axes = cameraAxesOf(values, *stated.preset);
+    world = stated.convention.world;
+    pose = readPose(values, stated);
+  }
+};
+
+/// The pose of another camera, in the axes of this one. field: the direction.
+Json poseIn(const Json& camera, const Document& file, const Json& other, const std::string& field) {
+  const Stand to(Document{file.name, std::make_shared<Json>(camera)});
+  const Stand from(Document{file.name, std::make_shared<Json>(other)});
+  if (to.world != from.world)
+    throw InputError(file.name + ": its world is " + std::string(nameOf(kWorldNames, from.world)) +
+                     "-handed, unlike the camera's");
+  if (other.contains(field) && to.axes == from.axes) return other[field];
+  if (!from.pose) throw InputError(file.name + ": has no pose");
+  const PlainPose pose = plainPose(*from.pose);
+  const auto [c, t] = field == "worldFromCamera" ? worldFromCamera(pose, to.axes) : cameraFromWorld(pose, to.axes);
+  return {{c[0].x, c[1].x, c[2].x, t.x}, {c[0].y, c[1].y, c[2].y, t.y}, {c[0].z, c[1].z, c[2].z, t.z}};
+}
+
 /// A camera's document at the product of poses, for the one of each factor or that of a number.
 Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
   for (const char* field : kPoseFields) camera.erase(field);
   Json poses = Json::array();
-  for (const auto& [file, cameras, field] : factors) {
+  for (const auto& [file, cameras, field, isOfCamera] : factors) {
     const Json pose = cameras[cameras.size() > 1 ? number : 0].document();
-    if (!pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
-    poses.push_back(pose[field]);
+    if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
+    poses.push_back(isOfCamera ? poseIn(camera, *file, pose, field) : pose[field]);
   }
   camera[direction] = poses.size() == 1 ? poses.front() : poses;
   return camera;
