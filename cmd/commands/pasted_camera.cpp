@@ -78,7 +78,9 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   MatrixSet set;
   std::optional<Handedness> world;
   set.convention = readAs.value_or(Convention{});
-  if (projection) set.convention.reverseZ = projection->found.readings.front().camera->convention.reverseZ;
+  if (projection)
+    for (const Reading& reading : projection->found.readings)
+      if (reading.kind == ReadingKind::projection) set.convention.reverseZ = reading.camera->convention.reverseZ;
   const auto writing = [&](const Convention& own) {
     Convention c = set.convention;
     c.world = own.world;
