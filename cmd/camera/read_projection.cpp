@@ -211,9 +211,9 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
       picture->crop =
           Crop{values.require<double>("viewport.crop.x"), values.require<double>("viewport.crop.y"),
                values.require<double>("viewport.crop.width"), values.require<double>("viewport.crop.height")};
-    constexpr double kRounding = 1e-6;
-    if (const auto& c = picture->crop; c && !(c->x >= -kRounding && c->x + c->width <= v.width + kRounding &&
-                                              c->y >= -kRounding && c->y + c->height <= v.height + kRounding))
+    constexpr double kLeast = 1e-6;
+    if (const auto& c = picture->crop; c && !(c->x >= -kLeast && c->x + c->width <= v.width + kLeast &&
+                                              c->y >= -kLeast && c->y + c->height <= v.height + kLeast))
       values.fail("viewport.crop.width", "reaches out of the picture of " + formatNumber(v.width) + "x" +
                                              formatNumber(v.height) + ", in whose pixels it is");
   }
