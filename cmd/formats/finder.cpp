@@ -430,7 +430,9 @@ void sharePoses(std::vector<Line>& lines) {
 }
 
 std::vector<Line> linesOf(const Document& file, const Candidates& all, const std::vector<Scalars>& boxes) {
+  constexpr std::size_t kMost = 64;  // each looks at all candidates
   std::vector<Line> lines = lensLines(all, boxes);
+  if (lines.size() > kMost) lines.resize(kMost);
   const std::string text = lowered(file.root->dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 1 << 16));
   const bool isFisheye = hasPart(text, kFisheye);
   for (Line& line : lines) {
@@ -460,7 +462,7 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
   sharePoses(lines);
   if (lines.empty() && !all.empty()) {
     for (const Chosen& each : all)
-      if (isAmong(each->kind, "X R V Q"))
+      if (isAmong(each->kind, "X R V Q") && lines.size() < kMost)
         for (const Match& match : posesFor(*each, all)) {
           if (match.parts.front() != each) continue;
           Line line;

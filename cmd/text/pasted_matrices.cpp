@@ -72,10 +72,12 @@ class Namer {
       if (front.size() < 3 && std::any_of(line(i).begin(), line(i).end(), isNameStart)) front.push_back(line(i));
       if (prose.empty() && hasWord(line(i))) prose = line(i);
     }
-    for (auto each = front.rbegin(); each != front.rend(); ++each) m.context += std::string(*each) + " ";
-    constexpr std::size_t kMost = 300;
-    m.context += line(m.line);
-    if (m.context.size() > kMost) m.context.erase(0, m.context.size() - kMost);
+    const auto tail = [](std::string_view all) {
+      constexpr std::size_t kMost = 300;
+      return std::string(all.substr(all.size() - std::min(all.size(), kMost)));
+    };
+    for (auto each = front.rbegin(); each != front.rend(); ++each) m.context += tail(*each) + " ";
+    m.context = tail(m.context + tail(line(m.line)));
     constexpr std::string_view kMarks = " \t#/%*>`-=:";
     prose.remove_prefix(std::min(prose.find_first_not_of(kMarks), prose.size()));
     prose = prose.substr(0, prose.find_last_not_of(kMarks) + 1);
