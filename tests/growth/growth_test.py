@@ -123,7 +123,7 @@ ROWS = [
     ("info: matrices, JSON", 40, ["info", "input"], None, joined(f'"m%d":{IDENTITY}', "{", "}"), "linear"),
     ("info: matrices, text", 40, ["info", "input"], None, lines(b"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), "linear"),
     ("draw", 150, ["draw", "-c", CAMERA, "-"], joined('{"id":"p%d","x":1,"y":1,"z":0}', "", "", "\n"), None, "linear"),
-    ("--set, a deep value", 10000, lambda n: [*VIEW, CAMERA, "--set=name=" + "[" * n + "]" * n], None, None, "options", 2),
+    ("--set, a deep value", 10000, lambda n: [*VIEW, CAMERA, "--set=position=" + "[" * n + "]" * n], None, None, "options", 2),
     ("--point", 200, lambda n: [*PROJECT, *["--point=1,2,3"] * n], None, None, "options"),
 ]
 
