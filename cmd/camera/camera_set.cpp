@@ -9,6 +9,7 @@
 #include "camera/read_convention.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "text/pattern.hpp"
 #include "text/system.hpp"
 #include "text/utf8.hpp"
 
@@ -65,26 +66,6 @@ Import optionsAlone(const CameraPatches& patches) {
 }
 
 bool isWhole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
-
-/// Whether a text matches a pattern in which * stands for any text.
-bool matches(std::string_view text, std::string_view pattern) {
-  std::size_t at = 0, i = 0, star = std::string_view::npos, afterStar = 0;
-  while (at < text.size()) {
-    if (i < pattern.size() && pattern[i] == '*') {
-      star = i++;
-      afterStar = at;
-    } else if (i < pattern.size() && pattern[i] == text[at]) {
-      ++i;
-      ++at;
-    } else if (star != std::string_view::npos) {  // the last star takes one more
-      i = star + 1;
-      at = ++afterStar;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', i) == std::string_view::npos;
-}
 
 }  // namespace
 
@@ -219,7 +200,7 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
   const std::string pattern = isPattern ? *pick : *pick + (pick->ends_with('/') ? "*" : "/*");
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < size(); ++i)
-    if (matches(import_.cameras[i].name, pattern)) found.push_back(i);
+    if (fitsPattern(import_.cameras[i].name, pattern)) found.push_back(i);
   if (found.empty()) failPick(*pick);
   return found;
 }

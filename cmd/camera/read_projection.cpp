@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "camera/read_screen.hpp"
 #include "text/number.hpp"
@@ -265,41 +264,6 @@ Projection readProjectionMatrix(const FieldValues& values, const DocumentConvent
   const MatrixLens& lens = *found.cameras.front().lens;
   if (!lens.projection) value.fail("does not determine near and far");
   return *lens.projection;
-}
-
-namespace {
-
-/// Whether turns of roll, pitch and yaw, alone or in poses, may be meant in radians: all within half a turn, and one is
-/// no whole number.
-bool hasRadians(const Json& value) {
-  if (!value.is_object() || !value.contains("order"))
-    return value.is_structured() && std::any_of(value.begin(), value.end(), hasRadians);
-  const Json turns = value.value("degrees", Json::array());
-  const auto isSmall = [](const Json& turn) { return turn.is_number() && std::fabs(turn.get<double>()) < 3.15; };
-  const auto isBroken = [](const Json& turn) { return std::fmod(turn.get<double>(), 1) != 0; };
-  return value["order"] == "rpy" && std::all_of(turns.begin(), turns.end(), isSmall) &&
-         std::any_of(turns.begin(), turns.end(), isBroken);
-}
-
-}  // namespace
-
-std::vector<std::string> radiansNotes(const FieldValues& values) {
-  std::vector<std::string> notes;
-  for (const FieldId field :
-       {FieldId("projection.fovY"), FieldId("projection.fovX"), FieldId("projection.fovDiagonal")}) {
-    if (!values.has(field) || !values.node(field).json().is_number()) continue;
-    // Half a turn is 3.14 radians, and few lenses see less than 3 degrees.
-    const double degrees = values.find<Angle>(field)->value;
-    if (!(degrees >= 0.05 && degrees < 3.2)) continue;
-    notes.push_back(values.node(field).place().first + ": is " + formatNumber(degrees) + " degrees; \"" +
-                    formatNumber(degrees) + "rad\" would be " + formatDigits(degrees * 180 / std::numbers::pi, 6) +
-                    " degrees");
-  }
-  for (const FieldId field : {FieldId("euler"), FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
-    if (values.has(field) && hasRadians(values.node(field).json()))
-      notes.push_back(values.node(field).place().first +
-                      ": rpy is in degrees here; a URDF's and tf's radians are written 1.5708rad");
-  return notes;
 }
 
 bool hasShape(const Viewport& viewport, double aspect) {

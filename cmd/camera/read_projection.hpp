@@ -48,9 +48,6 @@ std::optional<Projection> readProjection(const FieldValues& values, const Docume
 /// Near and far of a projection matrix. Throws InputError.
 Projection readProjectionMatrix(const FieldValues& values, const DocumentConvention& convention);
 
-/// Angles in degrees that look like radians: a note for each.
-std::vector<std::string> radiansNotes(const FieldValues& values);
-
 /// Whether a camera with this aspect fits the viewport: the shapes differ by no more than 0.1 %.
 bool hasShape(const Viewport& viewport, double aspect);
 

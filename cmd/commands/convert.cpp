@@ -165,8 +165,7 @@ Action declareConvert(CLI::App& app) {
       app,
       "Cameras as a file of another program, or as ours (--to camera). Takes all cameras of the files, or those that "
       "#NAME picks, with options laid over them. What the file cannot say is an error where it moves a pixel, else "
-      "left out "
-      "with a note.",
+      "left out with a note.",
       "Examples:\n"
       "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --to opencv\n"

@@ -1,6 +1,7 @@
 #include "commands/pasted_camera.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "output/output_file.hpp"
 #include "text/names.hpp"
@@ -67,10 +68,13 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
                                             const std::optional<Convention>& readAs) {
   if (findMatrices(file.text).matrices.empty()) return std::nullopt;
   const std::vector<ReadMatrix> matrices = readMatrices(file.text, source, file.what(), {readAs, {}});
+  std::vector<std::optional<ReadingKind>> kinds;
+  std::transform(matrices.begin(), matrices.end(), std::back_inserter(kinds), kindOf);
   const auto only = [&](ReadingKind kind) -> const ReadMatrix* {
-    const auto is = [&](const ReadMatrix& matrix) { return kindOf(matrix) == kind; };
-    const auto found = std::find_if(matrices.begin(), matrices.end(), is);
-    return std::count_if(matrices.begin(), matrices.end(), is) == 1 ? &*found : nullptr;
+    const auto found = std::find(kinds.begin(), kinds.end(), kind);
+    return std::count(kinds.begin(), kinds.end(), kind) == 1
+               ? &matrices[static_cast<std::size_t>(found - kinds.begin())]
+               : nullptr;
   };
   const ReadMatrix *const view = only(ReadingKind::view), *const pose = view ? view : only(ReadingKind::pose),
                           *const projection = only(ReadingKind::projection);
@@ -94,12 +98,11 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (projection) add(*projection, "projection");
   set.convention.world = world.value_or(set.convention.world);
   std::string others;
-  for (const ReadMatrix& matrix : matrices) {
-    const auto kind = kindOf(matrix);
-    const bool isOfThem = kind == ReadingKind::viewProjection || kind == ReadingKind::viewProjectionInverse ||
-                          kind == ReadingKind::projectionInverse;
-    if (&matrix != pose && &matrix != projection && !isOfThem)
-      others += (others.empty() ? "" : ", ") + shownNameOf(matrix);
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const bool isOfThem = kinds[i] == ReadingKind::viewProjection || kinds[i] == ReadingKind::viewProjectionInverse ||
+                          kinds[i] == ReadingKind::projectionInverse;
+    if (&matrices[i] != pose && &matrices[i] != projection && !isOfThem)
+      others += (others.empty() ? "" : ", ") + shownNameOf(matrices[i]);
   }
   if (!others.empty()) note(source + ": not read: " + others);
   return writeMatrices(set, "json", source);

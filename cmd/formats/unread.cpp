@@ -14,6 +14,7 @@
 #include "formats/words.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
+#include "text/pattern.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -251,7 +252,7 @@ class Unread {
       const bool isAxis = key.size() > 2 && std::string_view("xyzw").find(key.back()) != std::string_view::npos &&
                           std::string_view("._").find(key[key.size() - 2]) != std::string_view::npos;
       std::string stem = isAxis ? key.substr(0, key.size() - 2) : key.substr(0, end == key.npos ? 0 : end + 1);
-      if (stem.size() == key.size() || isKnown(key) || each.isMarked()) continue;
+      if (stem.size() == key.size() || each.isMarked() || isKnown(key)) continue;
       const auto numbers = numbersIn(member);
       if (!numbers || numbers->size() != 1) continue;
       if (stem.ends_with('.')) stem.pop_back();

@@ -61,16 +61,6 @@ bool hasWord(std::string_view name, std::string_view words) {
   return std::any_of(each.begin(), each.end(), [&](const std::string& word) { return isAmong(word, words); });
 }
 
-bool fitsPattern(std::string_view name, std::string_view pattern) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return name == pattern;
-  if (!name.starts_with(pattern.substr(0, star))) return false;
-  const std::string_view rest = pattern.substr(star + 1);
-  for (std::size_t at = star; at <= name.size(); ++at)
-    if (fitsPattern(name.substr(at), rest)) return true;
-  return false;
-}
-
 bool isRotation(const std::vector<double>& m) {
   if (m.size() != 9) return false;
   constexpr double kTolerance = 1e-3;

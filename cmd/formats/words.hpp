@@ -19,8 +19,6 @@ std::string lettersOf(std::string_view name);
 bool isAmong(std::string_view word, std::string_view words);
 /// Whether one of the name's words is among words separated by blanks.
 bool hasWord(std::string_view name, std::string_view words);
-/// Whether a name fits a pattern, in which * is any text.
-bool fitsPattern(std::string_view name, std::string_view pattern);
 
 /// 9 numbers by rows that are a rotation within 1e-3.
 bool isRotation(const std::vector<double>& m);
