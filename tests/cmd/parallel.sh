@@ -9,7 +9,8 @@ trap 'rm -rf "$work"' EXIT
 awk '/^```sh$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$2" | sed 's/10M/100k/' >"$work/commands"
 cp "$3" "$work/camera.json"
 cd "$work"
-export PATH HOME="$work"
+# Without SHELL, GNU parallel guesses it from the process that called it.
+export PATH HOME="$work" SHELL=/bin/sh
 
 seq 20000 | awk '{ print "{\"id\":" $1 ",\"position\":[" $1 % 7 "," $1 % 11 "," $1 % 3 "]}" }' >points.ndjson
 { echo id,x,y,z; seq 20000 | awk '{ print $1 "," $1 % 7 "," $1 % 11 "," $1 % 3 }'; } >points.csv
