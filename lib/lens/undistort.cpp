@@ -99,7 +99,7 @@ std::optional<Unbent> unbent(const LensParts& lens, const PlanePoint<DoubleDoubl
   }
   // Newton-Kantorovich, as in inverse.hpp, with the curvature of this place.
   const Step last = stepAt(at, miss);
-  const double r = length(at.x.hi, at.y.hi), near = 0x1p-30 * r, from = r - near, to = r + near;
+  const double r = length(at.x.hi, at.y.hi), near = 0x1p-40 * r, from = r - near, to = r + near;
   const double ofResidual = brownResponse(lens, from, to).rounding * kFineUnit / last.leastSlope;
   const double step = 1.01 * (last.size() + ofResidual), around = 2 * step;
   const bool isUnique = last.leastSlope > 0 && step * curvature(lens, from, to) <= last.leastSlope / 4 &&
@@ -116,7 +116,7 @@ Undistorted fromSphere(const LensParts& lens, const PlanePoint<DoubleDouble>& ta
     plane = *found;
   }
   const auto [at, growth, least] = sphereSight<DoubleDouble>(lens, plane.at);
-  if (!(length(plane.at.x.hi, plane.at.y.hi) < lens.planeEnd && least > kFarFromZero)) return kNone;
+  if (!(least > kFarFromZero)) return kNone;  // also a NaN, beyond the fold
   return {at, growth * plane.error + 0x1p-60};
 }
 
