@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the fuzz targets (tests/fuzz) with clang and runs them, always with the same inputs.
 #   sh tests/checks/fuzz.sh [BUILD FOLDER]     build-sanitized, where sanitized.sh has built, or else build-fuzz
-# FUZZ_EXECUTIONS=N   so many executions in all (300000)
+# FUZZ_EXECUTIONS=N   so many executions in all (200000)
 # FUZZ_SECONDS=N      so long in all instead; what was found interesting before is tried again first
 # FUZZ_TARGETS="A B"  only these targets
 # FUZZ_SEED=N         other inputs (the default is 1)
@@ -75,7 +75,7 @@ for target in $targets; do
   if [ -n "${FUZZ_SECONDS-}" ]; then
     limit=-max_total_time=$((FUZZ_SECONDS / count))
   else
-    limit=-runs=$((${FUZZ_EXECUTIONS:-300000} * $(share "$target") / shares + 1))
+    limit=-runs=$((${FUZZ_EXECUTIONS:-200000} * $(share "$target") / shares + 1))
   fi
   words=$build/words
   if [ "$target" = arguments ]; then words=$build/arguments; fi

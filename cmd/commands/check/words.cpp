@@ -9,7 +9,7 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of numbers beside larger ones
+constexpr double kSmall = 1e-9;  // of numbers beside larger ones
 constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture"},
@@ -87,7 +87,7 @@ double largestOf(const Json& value) {
 
 /// Of numbers beside larger ones, rounding is not shown.
 std::string shown(const Json& value, double largest) {
-  if (value.is_number()) return largestOf(value) < kRounding * largest ? "0" : formatDigits(value, 4);
+  if (value.is_number()) return largestOf(value) < kSmall * largest ? "0" : formatDigits(value, 4);
   if (!value.is_array()) return value.is_string() ? value.get<std::string>() : "another";
   std::string text;
   for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part, largest);
@@ -118,11 +118,11 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
   };
   const PlainPose own = plainPose(*file.pose);
   // On the Earth the angles of an eye that is moved alone change with its place.
-  if (apart(own.forward, to.axes[2]) + apart(own.right, to.axes[0]) < kRounding) return "";
+  if (apart(own.forward, to.axes[2]) + apart(own.right, to.axes[0]) < kSmall) return "";
   const auto was = degreesOf(own), is = degreesOf(poseOf(to));
   std::string text;
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::fabs(std::remainder(is[i] - was[i], 360)) > kRounding * 360)
+    if (std::fabs(std::remainder(is[i] - was[i], 360)) > kSmall * 360)
       text += (text.empty() ? ": " : ", ") + std::string(std::array{"heading ", "pitch ", "roll "}[i]) +
               shown(is[i], 360) + " for " + shown(was[i], 360);
   return text;
