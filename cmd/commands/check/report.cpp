@@ -14,6 +14,8 @@ namespace {
 OrderedJson orNull(const std::string& text) { return text.empty() ? OrderedJson(nullptr) : OrderedJson(text); }
 OrderedJson orNull(double number) { return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr); }
 
+}  // namespace
+
 /// Distances of pixels: exact, or where these are too many, counted in steps of a thousandth.
 struct Misses {
   std::size_t most;  ///< exact ones
@@ -59,6 +61,8 @@ struct Misses {
             {"worst", count > 0 ? OrderedJson(worst) : OrderedJson(nullptr)}};
   }
 };
+
+namespace {
 
 bool areWithin(std::span<const Vec2> misses, double within) {
   return std::all_of(misses.begin(), misses.end(), [&](const Vec2& miss) { return length(miss) <= within; });
