@@ -51,6 +51,19 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
   return static_cast<std::uint8_t>(sides);
 }
 
+/// A point that a formula has settled. isSeen: it has a screen position. alsoOutside: sides that a direction lies
+/// beyond.
+inline ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance,
+                           Precision precision, std::uint8_t alsoOutside = 0) noexcept {
+  const bool isExact = precision == Precision::exact;
+  if (!isSeen && distance > 0) return {NAN, NAN, position.z, distance, PointStatus::beyondLens, 0, isExact, precision};
+  if (!isSeen) return {NAN, NAN, NAN, distance, PointStatus::behind, 0, isExact, precision};
+  const std::uint8_t outside = sidesBeyond(c, {position.x, position.y, position.z, distance}) | alsoOutside;
+  // Made in one go: small members that are set one by one and then copied cost more than the projection. Adding 0 turns
+  // -0 into 0, which a residual does.
+  return {position.x, position.y, position.z, distance + 0.0, PointStatus::inFront, outside, isExact, precision};
+}
+
 /// The screen position of any point, from exactDistances. A number that is not certain is a tie or cancels to about 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
 

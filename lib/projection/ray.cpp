@@ -3,7 +3,6 @@
 
 #include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"
-#include "projection/blocks.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "projection/through_lens.hpp"
@@ -101,7 +100,7 @@ WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& 
 
 Sight<DoubleDouble> detail::sightOf(const CameraParts& c, const Vec2& screen) noexcept {
   const ProjectionConstants& k = c.constants;
-  const LensSight found = kernels().lensSight(k, screen);
+  const LensSight found = pointKernels().lensSight(k, screen);
   if (found.isSettled) return found.hasNone ? Sight<DoubleDouble>{kNaN, kNaN, kNaN} : found.at;
   return undistortSlowly(*c.lens,
                          {sumOrZero(screen.x, -k.centerX) * k.perScaleX, sumOrZero(screen.y, -k.centerY) * k.perScaleY})
@@ -158,31 +157,6 @@ Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept {
   const CameraParts& c = parts(camera);
   const DoubleDouble span = c.projection.orthographic ? 1 : viewDistance > 0 ? viewDistance : kNaN;
   return {std::fabs((span / c.screen.scaleX).hi), std::fabs((span / c.screen.scaleY).hi)};
-}
-
-void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
-  const CameraParts& c = parts(camera);
-  const std::size_t count = std::min(pixels.size(), directions.size());
-  const auto settle = [&](std::size_t i) { directions[i] = screenToRay(camera, pixels[i]).direction; };
-  if (c.projection.orthographic) {
-    for (std::size_t i = 0; i < count; ++i)
-      if (isInDomain(pixels[i]))
-        directions[i] = c.direction;
-      else
-        settle(i);
-  } else {
-    const auto rays = c.lens ? kernels().raysThroughLens : kernels().rays;
-    for (std::size_t i = 0; i < count; i += kBlock) {
-      Left left;
-      rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
-      left.each([&](std::size_t j) { settle(i + j); });
-    }
-  }
-}
-
-void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
-  const std::size_t count = std::min(pixels.size(), rays.size());
-  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], origin);
 }
 
 LensShift lensShift(const Camera& camera) noexcept {

@@ -35,7 +35,7 @@ cppcheck --enable=warning,performance,portability,style --std=c++20 --language=c
   --inline-suppr --suppress=missingReturn --suppress=noExplicitConstructor --suppress=shadowFunction \
   --suppress=unusedStructMember --suppress=useStlAlgorithm --suppress='uninitMemberVar:*/expansion.hpp' \
   --suppress='legacyUninitvar:*/pose_*.cpp' --suppress='unreadVariable:*/kernels/*' --suppress='unassignedVariable:*/block_reader.cpp' \
-  --suppress='unreachableCode:*/system_posix.cpp' --suppress='syntaxError:*/kernel_source.inc' \
+  --suppress='unreachableCode:*/system_posix.cpp' --suppress='syntaxError:*_source.inc' \
   --suppress=unmatchedSuppression -I lib -I cmd lib cmd || failed="$failed cppcheck"
 
 [ -z "$failed" ] || { echo "failed:$failed"; exit 1; }

@@ -6,7 +6,7 @@ set -eu
 command -v nm >/dev/null || { echo "nm is not installed"; exit 77; }
 symbols=$(nm -A --defined-only "$1")
 echo "$symbols" | awk '
-  /kernel_v[34]/ && / [WVu] / && !/ DW\.ref\./ { print; shared = 1 }
+  /(kernel|point)_v[34]/ && / [WVu] / && !/ DW\.ref\./ { print; shared = 1 }
   /kernel_v[34].*Kernels/ { ++kernels }
   END {
     if (shared || kernels < 2) exit 1

@@ -22,6 +22,14 @@ struct Traits {
   static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance, lens = HasLens;
 };
 
+/// Calls `use` with the traits that the camera needs.
+template <bool kDistance, class Use>
+auto withTraits(const ProjectionConstants& k, const Use& use) noexcept {
+  if (k.residualReach != 0)
+    return k.orthographic ? use(Traits<true, true, kDistance>()) : use(Traits<false, true, kDistance>());
+  return k.orthographic ? use(Traits<true, false, kDistance>()) : use(Traits<false, false, kDistance>());
+}
+
 /// standard: double, relative to the eye.
 template <class L, class Traits>
 class StandardFormula {

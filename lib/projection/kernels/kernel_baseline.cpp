@@ -5,4 +5,5 @@
 #else
 #define VIEWPROJ_KERNELS_NAME "x86-64"
 #endif
+#define VIEWPROJ_POINT_KERNELS kBaselinePoints
 #include "projection/kernels/kernel_source.inc"

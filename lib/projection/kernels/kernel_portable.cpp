@@ -2,4 +2,5 @@
 #define VIEWPROJ_PORTABLE_KERNEL
 #define VIEWPROJ_KERNELS kPortableKernels
 #define VIEWPROJ_KERNELS_NAME "portable"
+#define VIEWPROJ_POINT_KERNELS kBaselinePoints
 #include "projection/kernels/kernel_source.inc"

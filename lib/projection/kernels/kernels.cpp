@@ -37,7 +37,7 @@ std::span<const Kernels* const> allKernels() noexcept {
 
 bool isSupported([[maybe_unused]] const Kernels& kernels) noexcept {
 #ifdef VIEWPROJ_X86_KERNELS
-  if (&kernels == &kV3Kernels) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (&kernels == &kV3Kernels) return supportsV3();
   if (&kernels == &kV4Kernels)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma");
@@ -56,6 +56,9 @@ const Kernels& kernels() noexcept {
   return best;
 }
 
-void forceKernels(const Kernels* kernels) noexcept { forced.store(kernels, std::memory_order_relaxed); }
+void forceKernels(const Kernels* kernels) noexcept {
+  forced.store(kernels, std::memory_order_relaxed);
+  forcePointKernels(kernels ? &kernels->points : nullptr);
+}
 
 }  // namespace viewproj::detail

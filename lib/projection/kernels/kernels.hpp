@@ -1,4 +1,5 @@
-// The batch kernels: one source, compiled once per instruction set and chosen at run time. All give the same bits.
+// The kernels, of batches and of single points: one source of each, compiled once per instruction set and chosen at run
+// time. All give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +29,13 @@ struct LensSight {
   bool isSettled, hasNone;
 };
 
+struct PointKernels {
+  /// Projects one point in exact: of weight 1, through a lens too; or in perspective without a lens, a direction's
+  /// vanishing point, without a depth.
+  Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
+  LensSight (*lensSight)(const ProjectionConstants&, const Vec2& pixel) noexcept;
+};
+
 /// Arrays have three doubles per point: x y z in; screen x, screen y and depth out, NaN if a point has none. distance
 /// has one double per point, its distance along the viewing axis, also behind the eye plane. It may be null.
 struct Kernels {
@@ -44,10 +52,7 @@ struct Kernels {
   /// The same through a lens; NaN if a pixel has none. Every component is the same in all kernels.
   void (*raysThroughLens)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                           Unsettled) noexcept;
-  /// Projects one point in exact: of weight 1, through a lens too; or in perspective without a lens, a direction's
-  /// vanishing point, without a depth.
-  Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
-  LensSight (*lensSight)(const ProjectionConstants&, const Vec2& pixel) noexcept;
+  const PointKernels& points;
 };
 
 /// All compiled kernels, from the slowest to the fastest.
@@ -59,7 +64,14 @@ bool isSupported(const Kernels& kernels) noexcept;
 /// The fastest supported kernels, unless others are forced.
 const Kernels& kernels() noexcept;
 
-/// For tests: all threads use these kernels, which must be supported, until the next call. null restores the fastest.
+const PointKernels& pointKernels() noexcept;
+
+/// Whether the processor has AVX2 and FMA.
+bool supportsV3() noexcept;
+
+/// For tests: all threads use these kernels and their points, which must be supported, until the next call. null
+/// restores the fastest.
 void forceKernels(const Kernels* kernels) noexcept;
+void forcePointKernels(const PointKernels* kernels) noexcept;
 
 }  // namespace viewproj::detail

@@ -1,0 +1,125 @@
+// Many points or pixels at a time; what a kernel cannot settle goes the way of single ones.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "projection/blocks.hpp"
+#include "projection/exact_point.hpp"
+#include "projection/kernels/kernels.hpp"
+#include "viewproj/screen.hpp"
+
+namespace viewproj {
+
+using namespace detail;
+namespace {
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
+
+Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
+  return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
+}
+
+/// One of a batch.
+ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
+  ++counts.escalated;
+  if (p.status == PointStatus::inFront && p.precision == Precision::exact && !p.certain) ++counts.uncertain;
+  return p;
+}
+
+void copyPoints(const Points& points, const std::byte* from, std::size_t count, double* to) noexcept {
+  for (std::size_t i = 0; i < count; ++i, from += points.stride, to += 3) {
+    if (!points.areFloats) {
+      std::memcpy(to, from, 3 * sizeof(double));
+      continue;
+    }
+    float xyz[3];
+    std::memcpy(xyz, from, sizeof xyz);
+    std::copy_n(xyz, 3, to);
+  }
+}
+
+}  // namespace
+
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
+                          Precision precision) noexcept {
+  return worldToScreen(camera, Points(points), screen, precision);
+}
+
+BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<Vec3> screen,
+                          Precision precision) noexcept {
+  const CameraParts& c = parts(camera);
+  const auto kernel = kernelOf(c, precision);
+  const std::size_t count = std::min(points.count, screen.size());
+  // What lies where the results go, or is no Vec3, is copied.
+  const auto* const first = static_cast<const std::byte*>(points.first);
+  const bool isPlain = !points.areFloats && points.stride == sizeof(Vec3);
+  const bool isCopied = !isPlain || first == reinterpret_cast<const std::byte*>(screen.data());
+  BatchCounts counts;
+  double copy[3 * kBlock];  // unlike vectors, not made zero
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    const std::byte* const start = first + i * points.stride;
+    const double* const in = isCopied ? copy : reinterpret_cast<const double*>(start);
+    if (isCopied) copyPoints(points, start, size, copy);
+    Vec3* out = screen.data() + i;
+    Left left;
+    const auto settle = [&](std::size_t j) {
+      const ScreenPoint p =
+          counted(worldToScreen(camera, Vec3{in[3 * j], in[3 * j + 1], in[3 * j + 2]}, precision), counts);
+      out[j] = {p.x, p.y, p.depth};
+    };
+    kernel(c.constants, in, &out->x, nullptr, size, left.bits);
+    left.each(settle);
+  }
+  return counts;
+}
+
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision) noexcept {
+  const CameraParts& c = parts(camera);
+  const auto kernel = kernelOf(c, precision);
+  if (c.lens) precision = Precision::exact;
+  const std::size_t count = std::min(points.size(), screen.size());
+  BatchCounts counts;
+  double position[3 * kBlock], distance[kBlock];
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    Left left;
+    kernel(c.constants, &points[i].x, position, distance, size, left.bits);
+    for (std::size_t j = 0; j < size; ++j) {
+      const double* const p = position + 3 * j;
+      if (left.has(j))
+        screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
+      else
+        screen[i + j] = settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
+    }
+  }
+  return counts;
+}
+
+void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
+  const CameraParts& c = parts(camera);
+  const std::size_t count = std::min(pixels.size(), directions.size());
+  const auto settle = [&](std::size_t i) { directions[i] = screenToRay(camera, pixels[i]).direction; };
+  if (c.projection.orthographic) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (isInDomain(pixels[i]))
+        directions[i] = c.direction;
+      else
+        settle(i);
+  } else {
+    const auto rays = c.lens ? kernels().raysThroughLens : kernels().rays;
+    for (std::size_t i = 0; i < count; i += kBlock) {
+      Left left;
+      rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
+      left.each([&](std::size_t j) { settle(i + j); });
+    }
+  }
+}
+
+void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
+  const std::size_t count = std::min(pixels.size(), rays.size());
+  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], origin);
+}
+
+}  // namespace viewproj
