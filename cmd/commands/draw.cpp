@@ -149,13 +149,14 @@ class PictureRecords {
             if constexpr (!requires { shape.x; }) content_.shapes.push_back({name, shape});
           },
           toShape(plan, n));
+    } else if (const Vec4 point = toPoint(plan, n); !isInRange(made_, point)) {
+      throw RecordError(0, "lies farther than 1e46 from the eye");
     } else if (plan.slots() > kMostSlotsOfPoint) {
-      const Vec4 point = toPoint(plan, n);
       const std::optional<Vec2> pixel = pixelBesidePoint(plan, n);
       content_.points.push_back({name, note, point, pixel});
       pairs_.add(point, pixel, line);
     } else {
-      content_.points.push_back({name, note, toPoint(plan, n)});
+      content_.points.push_back({name, note, point});
     }
   }
 
@@ -175,6 +176,7 @@ class PictureRecords {
 
   const DrawOptions& o_;
   const CameraFile& camera_;
+  const Camera made_ = makeCamera(camera_);
   PictureContent& content_;
   mistakes::PairReport pairs_;
   std::size_t count_ = 0;

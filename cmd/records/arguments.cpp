@@ -70,6 +70,15 @@ Vec4 PointArgument::point() const {
   return {p.x, p.y, p.z, 1};
 }
 
+namespace {
+
+const PlaneEquation& inRange(const PlaneEquation& plane, const std::string& option, const std::string& text) {
+  if (!isValid(Plane{{plane.offset, 0, 0}, plane.normal})) throw wrong(option, text, "has a number beyond 1e46");
+  return plane;
+}
+
+}  // namespace
+
 PlaneEquation readPlaneArgument(const std::string& option, const std::string& text) {
   constexpr const char* kForm = "z=0, x=..., y=... or A,B,C,D of Ax + By + Cz + D = 0";
   constexpr std::string_view kAxes = "xyz";
@@ -78,13 +87,12 @@ PlaneEquation readPlaneArgument(const std::string& option, const std::string& te
     if (!at) throw wrong(option, text, std::string("expected ") + kForm);
     PlaneEquation plane{{}, -*at};
     plane.normal[axis] = 1;
-    return plane;
+    return inRange(plane, option, text);
   }
   const std::vector<double> n = numbersOf(option, text, 4, kForm);
   const PlaneEquation plane{{n[0], n[1], n[2]}, n[3]};
-  if (!isValid(Plane{{n[3], 0, 0}, plane.normal}))
-    throw wrong(option, text, "is not a plane; A, B and C must not all be 0");
-  return plane;
+  if (plane.normal == Vec3{}) throw wrong(option, text, "is not a plane; A, B and C must not all be 0");
+  return inRange(plane, option, text);
 }
 
 std::string readSphereArgument(const std::string& option, const std::string& text) {

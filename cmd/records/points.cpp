@@ -9,6 +9,7 @@
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 #include "viewproj/geodesy.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -423,6 +424,8 @@ bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | vie
 Pixel toPixel(const NumberPlan& plan, const Numbers& n) {
   Pixel pixel;
   if (!n.isNull) pixel.screen = Vec2{n[0], n[1]};
+  if (!n.isNull && !(std::fabs(n[0]) < kFarthestPoint && std::fabs(n[1]) < kFarthestPoint))
+    throw RecordError(0, "lies farther than 1e46 from the picture");
   const double* next = &n[2];
   const auto optional = [&](unsigned part) {
     if (!(plan.kind & part)) return std::optional<double>();

@@ -20,12 +20,14 @@ namespace {
 constexpr const char* kSceneForm =
     "{\"objects\": [{\"id\": \"a\", \"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}]}";
 
-// The fault of a shape, or an empty text.
+constexpr const char* kOutOfRange = "has a number beyond 1e46";
 
-std::string faultOf(const Sphere& sphere) { return isValid(sphere) ? "" : "must not be below 0"; }
+// The fault of a shape whose numbers are in range, or an empty text.
+
+std::string faultOf(const Sphere& sphere) { return sphere.radius < 0 ? "must not be below 0" : ""; }
 
 std::string faultOf(const Box& box, bool worldIsEcef) {
-  if (isValid(box)) return "";
+  if (box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z) return "";
   return std::string("must not be below min in any coordinate") +
          (worldIsEcef ? "; of places these are x, y and z of ECEF" : "");
 }
@@ -36,6 +38,17 @@ Vec3 pointOf(const Node& value, bool worldIsEcef) {
   if (position.place && !worldIsEcef) value.fail("is a place, which needs a camera on the Earth");
   return position.point;
 }
+
+/// Whether a shape without a fault is in range.
+struct IsInRange {
+  bool operator()(const Vec3& point) const { return isValid(Sphere{point}); }
+  bool operator()(const PlaneEquation& plane) const { return isValid(Plane{{plane.offset, 0, 0}, plane.normal}); }
+  bool operator()(const HeightSurface&) const { return true; }
+  template <class Shape>
+  bool operator()(const Shape& shape) const {
+    return isValid(shape);
+  }
+};
 
 using Shape = decltype(SceneObject::shape);
 
@@ -55,7 +68,7 @@ Shape shapeOf(const Node& object, std::string_view name, bool worldIsEcef) {
   if (name == "plane") {
     allowMembers(value, {"point", "normal"});
     const Plane plane{point("point"), point("normal")};
-    if (!isValid(plane)) value.require("normal").fail("must not be all 0");
+    if (plane.normal == Vec3{}) value.require("normal").fail("must not be all 0");
     return plane;
   }
   if (name == "sphere") {
@@ -92,8 +105,9 @@ SceneObject readObject(const Node& object, std::size_t index, bool worldIsEcef) 
   if (const auto height = object.find("height"); height && shapes[0] != "ellipsoid")
     height->fail("goes with ellipsoid alone");
   const auto name = labelOf(object, "name");
-  return {labelOf(object, "id").value_or(name.value_or(std::to_string(index))),
-          shapeOf(object, shapes[0], worldIsEcef)};
+  Shape shape = shapeOf(object, shapes[0], worldIsEcef);
+  if (!std::visit(IsInRange(), shape)) object.fail(kOutOfRange);
+  return {labelOf(object, "id").value_or(name.value_or(std::to_string(index))), std::move(shape)};
 }
 
 }  // namespace
@@ -190,19 +204,11 @@ CullShape shapeOf(const NumberPlan& plan, const Numbers& n) {
   return checked({position, n[plan.slots() - 1]});
 }
 
-struct IsInRange {
-  bool operator()(const Vec3& point) const { return isValid(Sphere{point}); }
-  template <class Shape>
-  bool operator()(const Shape& shape) const {
-    return isValid(shape);
-  }
-};
-
 }  // namespace
 
 CullShape toShape(const NumberPlan& plan, const Numbers& n) {
   CullShape shape = shapeOf(plan, n);
-  if (!std::visit(IsInRange(), shape)) throw RecordError(0, "has a number beyond 1e46");
+  if (!std::visit(IsInRange(), shape)) throw RecordError(0, kOutOfRange);
   return shape;
 }
 
