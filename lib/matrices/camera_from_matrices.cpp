@@ -35,6 +35,8 @@ Projection projectionOf(const Mat4& m, const Convention& convention) {
   ProjectionParts p;
   p.orthographic = m[3][2] == 0;
   const double divisor = p.orthographic ? m[3][3] : m[3][2] * sign.forward;
+  if (divisor < 0 && m[3][0] == 0 && m[3][1] == 0 && m[3][3] == 0)
+    fail("has the last row of a convention whose view z points the other way");
   if (!(divisor > 0) || m[3][0] != 0 || m[3][1] != 0 || (!p.orthographic && m[3][3] != 0))
     fail("has a last row that is not 0 0 0 1, or 0 0 1 0 with the convention's sign of view z");
   const std::size_t atOffset = p.orthographic ? 3 : 2, others = p.orthographic ? 2 : 3;
@@ -46,7 +48,8 @@ Projection projectionOf(const Mat4& m, const Convention& convention) {
   const double ofOffset = p.orthographic ? 1 : sign.forward, down = convention.ndcY == NdcY::down ? -1 : 1;
   const DoubleDouble scaleX = entry(0, 0, 1), scaleY = entry(1, 1, sign.up * down);
   const DoubleDouble offsetX = entry(0, atOffset, ofOffset), offsetY = entry(1, atOffset, ofOffset * down);
-  if (!(scaleX.hi > 0 && scaleY.hi > 0)) fail("mirrors x or y in this convention");
+  if (scaleX.hi > 0 && scaleY.hi < 0) fail("has the y of a convention whose ndcY, or view y, points the other way");
+  if (!(scaleX.hi > 0 && scaleY.hi > 0)) fail("mirrors x, or has no width or height");
   p.left = solved(-1, scaleX, offsetX);
   p.right = solved(1, scaleX, offsetX);
   p.bottom = solved(-1, scaleY, offsetY);
@@ -99,6 +102,15 @@ Camera cameraFromMatrices(std::span<const double, 16> view, std::span<const doub
 Camera cameraFromMatrices(std::span<const float, 16> view, std::span<const float, 16> projection,
                           const Viewport& viewport, const Convention& c) {
   return cameraFromMatrices(fromStorageOrder(view, c), fromStorageOrder(projection, c), viewport, c);
+}
+
+Camera cameraFromMatrices(const double* view, const double* projection, const Viewport& viewport, const Convention& c) {
+  return cameraFromMatrices(std::span<const double, 16>(view, 16), std::span<const double, 16>(projection, 16),
+                            viewport, c);
+}
+Camera cameraFromMatrices(const float* view, const float* projection, const Viewport& viewport, const Convention& c) {
+  return cameraFromMatrices(std::span<const float, 16>(view, 16), std::span<const float, 16>(projection, 16), viewport,
+                            c);
 }
 
 }  // namespace viewproj

@@ -76,20 +76,29 @@ BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision) noexcept {
+  return worldToScreen(camera, Points(points), screen, precision);
+}
+
+BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<ScreenPoint> screen,
+                          Precision precision) noexcept {
   const CameraParts& c = parts(camera);
   const auto kernel = kernelOf(c, precision);
   if (c.lens) precision = Precision::exact;
-  const std::size_t count = std::min(points.size(), screen.size());
+  const std::size_t count = std::min(points.count, screen.size());
+  const bool isCopied = points.areFloats || points.stride != sizeof(Vec3);
   BatchCounts counts;
-  double position[3 * kBlock], distance[kBlock];
+  double copy[3 * kBlock], position[3 * kBlock], distance[kBlock];
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
+    const std::byte* const start = static_cast<const std::byte*>(points.first) + i * points.stride;
+    const double* const in = isCopied ? copy : reinterpret_cast<const double*>(start);
+    if (isCopied) copyPoints(points, start, size, copy);
     Left left;
-    kernel(c.constants, &points[i].x, position, distance, size, left.bits);
+    kernel(c.constants, in, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
-      const double* const p = position + 3 * j;
+      const double *const p = position + 3 * j, *const at = in + 3 * j;
       if (left.has(j))
-        screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
+        screen[i + j] = counted(worldToScreen(camera, Vec3{at[0], at[1], at[2]}, precision), counts);
       else
         screen[i + j] = settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
     }

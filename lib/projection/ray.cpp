@@ -123,9 +123,9 @@ Ray screenToRay(const Camera& camera, const Vec2& screen, RayOrigin origin) noex
   return ray;
 }
 
-WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {
+WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth, double depthError) noexcept {
   const CameraParts& c = parts(camera);
-  if (!isInDomain(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
+  if (!isInDomain(screen) || !std::isfinite(depth) || !(depthError >= 0)) return {kNoVector, DepthStatus::notFinite};
   const WindowPoint window = windowAt(c, screen);
   if (std::isnan(window.sign)) return {kNoVector, DepthStatus::noRay};
   const ProjectionParts& p = c.projection;
@@ -133,7 +133,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   // The depth's differences to near's and far's depth, as shares of the range.
   const Wide near = p.near, far = p.far, atNear = c.depthAtNear, atFar = c.depthAtFar, range = atFar - atNear;
   const Wide fromNear = (Wide(depth) - atNear) / range, fromFar = (atFar - Wide(depth)) / range;
-  const Wide shareError = Wide(halfUlp(depth)) / magnitude(range);
+  const Wide shareError = Wide(halfUlp(depth) + depthError) / magnitude(range);
   if (p.orthographic) return pointAt(c, window, near * fromFar + far * fromNear, (far - near) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
   const Wide nearOverDistance = std::isfinite(p.far) ? fromFar + fromNear * (near / far) : fromFar;

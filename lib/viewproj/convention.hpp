@@ -47,7 +47,9 @@ struct Convention {
 /// Gazebo and lidars, FRD that of aircraft.
 enum class CameraAxes { RUB, RUF, RDF, FRU, FLU, FRD };
 
-/// A named convention, with the usual defaults of the programs that use it.
+/// A named convention, with the usual defaults of the programs that use it. One that differs is made from a copy:
+///   Convention reversed = conventions::vulkan;
+///   reversed.reverseZ = true;
 struct ConventionPreset {
   std::string_view name;
   Convention convention;

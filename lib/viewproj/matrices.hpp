@@ -64,17 +64,21 @@ Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& conv
 /// The camera of a view and a projection matrix, for column vectors. Screen x, y and the distance W are those of the
 /// entries taken as exact, as far as a camera's numbers have them (camera.hpp). near and far are the doubles nearest to
 /// what the depth row says, so that depth is within 2^-52 of it; far is infinite where the row does not tell it from
-/// that. All of the projection may be multiplied by a number above 0. Throws CameraError naming "viewFromWorld" if it
-/// is not within kPoseOrthogonality of a rotation with a translation or mirrors, "clipFromView" if it is no projection
-/// of this convention or has a skew.
+/// that. Bounds and `certain` of screen.hpp are of this camera's depth, not of the row's. All of the projection may be
+/// multiplied by a number above 0. Throws CameraError naming "viewFromWorld" if it is not within kPoseOrthogonality of
+/// a rotation with a translation or mirrors, "clipFromView" if it is no projection of this convention or has a skew.
 Camera cameraFromMatrices(const Mat4& viewFromWorld, const Mat4& clipFromView, const Viewport& viewport,
                           const Convention& convention);
 
-/// The same from sixteen numbers each, as they lie in memory in this convention: glm::value_ptr(m), m.data() of an
-/// Eigen::Matrix4f, &m.m[0][0] of an XMFLOAT4X4.
+/// The same from sixteen numbers each, as they lie in memory in this convention, or from pointers to them:
+/// glm::value_ptr(m), m.data() of an Eigen::Matrix4f, &m.m[0][0] of an XMFLOAT4X4.
 Camera cameraFromMatrices(std::span<const double, 16> viewFromWorld, std::span<const double, 16> clipFromView,
                           const Viewport& viewport, const Convention& convention);
 Camera cameraFromMatrices(std::span<const float, 16> viewFromWorld, std::span<const float, 16> clipFromView,
                           const Viewport& viewport, const Convention& convention);
+Camera cameraFromMatrices(const double* viewFromWorld, const double* clipFromView, const Viewport& viewport,
+                          const Convention& convention);
+Camera cameraFromMatrices(const float* viewFromWorld, const float* clipFromView, const Viewport& viewport,
+                          const Convention& convention);
 
 }  // namespace viewproj

@@ -1,5 +1,7 @@
 // Shapes in world coordinates: where a ray hits them, and what a camera sees of them.
 //
+// A component of its own: link viewproj::scene.
+//
 // Example:
 //   const Viewport picture{.width = 640, .height = 480};
 //   const Camera camera = makeCamera(lookAlong({0, 0, 5}, {0, 0, -1}, {0, 1, 0}, Handedness::right),

@@ -59,7 +59,7 @@ struct ScreenPoint {
   double depth = 0;         ///< window depth, not clamped; NaN without a near plane, or not in front
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
-  std::uint8_t outside = 0;  ///< the Sides that the point is beyond; a point on a boundary is inside
+  std::uint8_t outside = 0;  ///< the Sides that the point is beyond, 0 unless it is inFront; a boundary is inside
   /// exact: x, y, depth and viewDistance are proven to be the doubles nearest the true values. If false, one of them is
   /// a tie or cancels to about 0, and is within kExactUlps or kExactAbsolute.
   bool certain = false;
@@ -104,8 +104,8 @@ struct Points {
 };
 
 /// Screen x, screen y and window depth of each point: bit for bit the numbers of worldToScreen for single points, on
-/// every processor. Both have the same size. They may be the same memory if the points are a span; else they are
-/// disjoint.
+/// every processor. Both have the same size; of two sizes the smaller counts. They may be the same memory if the points
+/// are a span; else they are disjoint.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<Vec3> screen,
@@ -113,6 +113,8 @@ BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<
 
 /// The same with all fields of ScreenPoint. Takes about twice as long.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision = Precision::exact) noexcept;
+BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<ScreenPoint> screen,
                           Precision precision = Precision::exact) noexcept;
 
 /// The unit directions of rays through screen positions, within kRayDirectionBound of the true ones. NaN where
@@ -186,8 +188,9 @@ struct WorldPoint {
   Vec3 position;  ///< NaN unless status is point
   DepthStatus status = DepthStatus::point;
   /// How far position can be from the true point, in world units, if the given window depth is the double nearest the
-  /// true one. Infinite if that double could also be the depth of infinity. Includes the arithmetic's error, half an
-  /// ulp of each coordinate, and the pose's error; for a point by its distance, that is all of it.
+  /// true one, or within depthError of that. Infinite if it could also be the depth of infinity. Includes the
+  /// arithmetic's error, half an ulp of each coordinate, and the pose's error; for a point by its distance, that is all
+  /// of it.
   double bound = 0;
   /// The double nearest to the distance along the viewing axis at the given depth. NaN unless status is point.
   double viewDistance = std::numeric_limits<double>::quiet_NaN();
@@ -199,8 +202,10 @@ struct WorldPoint {
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
 /// The point at this screen position and window depth (not clamped), or distance along the viewing axis. Computed in
-/// double-double and rounded once; WorldPoint's bound includes the effect of the depth's last digit.
-WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept;
+/// double-double and rounded once; WorldPoint's bound includes the effect of the depth's last digit, and of depthError:
+/// how far a depth may be from the double nearest the true one. Of a depth buffer of floats it is half the distance to
+/// the next float, (std::nextafter(depth, 2.0f) - depth) / 2.
+WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth, double depthError = 0) noexcept;
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
 }  // namespace viewproj

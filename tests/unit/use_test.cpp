@@ -46,7 +46,7 @@ TEST_CASE(
     const Camera same =
         isFloat ? cameraFromMatrices(storedMatrix<float>(camera, Space::view, Space::world),
                                      storedMatrix<float>(camera, Space::clip, Space::view), kViewport, convention)
-                : cameraFromMatrices(view, projection, kViewport, convention);
+                : cameraFromMatrices(view.data(), projection.data(), kViewport, convention);
     INFO("trial " << trial << ", " << preset.name << (isFloat ? ", float" : ""));
     REQUIRE(same.projection().isOrthographic() == camera.projection().isOrthographic());
     // A float's matrix has lost the eye to 1e3 units in 2^24, which far away does not show.
@@ -139,12 +139,42 @@ TEST_CASE("Points of floats and of any stride have the pixels of the same points
         CHECK(same());
         worldToScreen(camera, Points(wide[0].position, count, sizeof(Wide)), got, precision);
         CHECK(same());
+        std::vector<ScreenPoint> whole(count), of(count);
+        worldToScreen(camera, points, whole, precision);
+        worldToScreen(camera, Points(vertices[0].position, count, sizeof(Vertex)), of, precision);
+        for (std::size_t i = 0; i < count; ++i) CHECK((whole[i].status != PointStatus::inFront || of[i] == whole[i]));
+        CHECK(std::equal(of.begin(), of.end(), whole.begin(), [](const ScreenPoint& a, const ScreenPoint& b) {
+          return a.status == b.status && a.outside == b.outside && a.certain == b.certain;
+        }));
       }
       got = points;
       worldToScreen(camera, got, got, precision);
       CHECK(same());
     }
   }
+}
+
+TEST_CASE("A depth buffer of floats leads back to the point within the bound that its error gives") {
+  Random r(2);
+  double share = 0;
+  for (const bool isReversed : {false, true}) {
+    Convention convention = conventions::d3d;
+    convention.reverseZ = isReversed;
+    const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::left),
+                                     perspective(60, kViewport, .1, 1000), kViewport, convention);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 point = seenPoint(r, camera);
+      const ScreenPoint at = worldToScreen(camera, point);
+      const float depth = static_cast<float>(at.depth);
+      const WorldPoint back =
+          screenToWorld(camera, {at.x, at.y}, depth, double(std::nextafter(depth, 2.f) - depth) / 2);
+      const double miss = std::hypot(back.position.x - point.x, back.position.y - point.y, back.position.z - point.z);
+      REQUIRE(back.status == DepthStatus::point);
+      REQUIRE(miss <= back.bound * (1 + 1e-9) + 1e-12);
+      share = std::max(share, miss / back.bound);
+    }
+  }
+  CHECK(share > .9);
 }
 
 TEST_CASE("A camera that moves keeps its lens and its pixel centre") {
