@@ -185,9 +185,7 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   try {
     return {openCameras(source.file, opening, all), source.pick};
   } catch (const UnknownFormat& unknown) {
-    const auto* const tree = dynamic_cast<const UnknownFile*>(&unknown);
-    const bool isTree = tree && !tree->file.isPlainText && tree->file.root->is_object();
-    if (parts_ || isTree || (showsMatrices_ && !changesCamera())) throw;
+    if (parts_ || (showsMatrices_ && !changesCamera())) throw;
     const auto matrices = cameraOfMatrices(unknown, shownName(source.file), readAs());
     if (!matrices) throw;
     all.readAs.clear();

@@ -96,7 +96,7 @@ constexpr KindWords kKindWords[] = {
 /// Letters are names, and no words of prose.
 constexpr KindWords kKindLetters[] = {{ReadingKind::k, "_k_"},
                                       {ReadingKind::rotation, "_r_"},
-                                      {ReadingKind::view, "_v_ _mv_"},
+                                      {ReadingKind::view, "_v_ _mv_ _rt_ _r_t_"},
                                       {ReadingKind::projection, "_p_"}};
 /// What an object has too.
 constexpr KindWords kWeakWords[] = {{ReadingKind::pose, "_world_matrix _model _transform _root"},
