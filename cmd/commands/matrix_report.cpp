@@ -318,7 +318,11 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       std::erase_if(readings, [&](const Reading& r) {
         return std::find(question.which.begin(), question.which.end(), r.kind) == question.which.end();
       });
-    if (readings.empty()) m.found.fault = "none of its readings is as --read-as and --which state";
+    if (readings.empty())
+      m.found.fault =
+          std::string("none of its readings is as ") + (!question.readAs         ? "--which states"
+                                                        : question.which.empty() ? "--read-as states"
+                                                                                 : "--read-as and --which state");
   }
   const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };

@@ -58,10 +58,9 @@ bool holdsMatricesAlone(const UnknownFormat& file, const PastedMatrices& pasted)
   return count == 0 || count == numbers;
 }
 
-/// Whether the text has no other named numbers, which may be a distortion or a place, and no fault.
-bool holdsNoOther(const UnknownFormat& file, const PastedMatrices& pasted) {
-  return dynamic_cast<const UnknownFile*>(&file) &&
-         std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(),
+/// Whether the text has no other named numbers, which may be a distortion or a place.
+bool holdsNoOther(const PastedMatrices& pasted) {
+  return std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(),
                      [](const PassedOver& over) { return over.name.empty(); });
 }
 
@@ -184,7 +183,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (pasted.matrices.empty() || !holdsMatricesAlone(file, pasted)) return std::nullopt;
   using enum ReadingKind;
   KnownMatrices known(file, source, readAs);
-  const bool isCalibration = holdsNoOther(file, pasted) && !known.only(projection) && known.calibration();
+  const bool isCalibration = holdsNoOther(pasted) && !known.only(projection) && known.calibration();
   if (isCalibration && !readAs) known = KnownMatrices(file, source, conventions::opencv.convention);
   const ReadMatrix *const calibration = isCalibration ? known.calibration() : nullptr,
                           *const lens = known.only(projection), *const anyView = known.only(view),
