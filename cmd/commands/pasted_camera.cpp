@@ -7,6 +7,7 @@
 
 #include "camera/plain_camera.hpp"
 #include "formats/open.hpp"
+#include "formats/value.hpp"
 #include "output/output_file.hpp"
 #include "output/report.hpp"
 #include "text/names.hpp"
@@ -41,20 +42,26 @@ std::string shownNameOf(const ReadMatrix& matrix) {
 }
 
 std::size_t countNumbers(const Json& value) {
-  if (value.is_number()) return 1;
+  if (!value.is_structured()) {
+    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : numbersIn(value);
+    return numbers ? numbers->size() : 0;
+  }
   std::size_t count = 0;
-  if (value.is_structured())
-    for (const Json& part : value) count += countNumbers(part);
+  for (const Json& part : value) count += countNumbers(part);
   return count;
+}
+
+bool isTree(const UnknownFormat& file) {
+  const auto* const tree = dynamic_cast<const UnknownFile*>(&file);
+  return tree && !tree->file.isPlainText && tree->file.root->is_object();
 }
 
 /// Of a tree of JSON or YAML: whether all of its numbers are the matrices'.
 bool holdsMatricesAlone(const UnknownFormat& file, const PastedMatrices& pasted) {
-  const auto* const tree = dynamic_cast<const UnknownFile*>(&file);
-  if (!tree || tree->file.isPlainText || !tree->file.root->is_object()) return true;
+  if (!isTree(file)) return true;
   std::size_t numbers = 0;
   for (const PastedMatrix& m : pasted.matrices) numbers += m.numbers.size();
-  const std::size_t count = countNumbers(*tree->file.root);
+  const std::size_t count = countNumbers(*dynamic_cast<const UnknownFile&>(file).file.root);
   return count == 0 || count == numbers;
 }
 
@@ -183,14 +190,17 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (pasted.matrices.empty() || !holdsMatricesAlone(file, pasted)) return std::nullopt;
   using enum ReadingKind;
   KnownMatrices known(file, source, readAs);
-  const bool isCalibration = holdsNoOther(pasted) && !known.only(projection) && known.calibration();
+  // A calibration has a view or a pose beside it, and no more.
+  const std::size_t withPose = known.matrices.size() - (known.only(view) || known.only(ReadingKind::pose) ? 1 : 0);
+  const bool isCalibration = holdsNoOther(pasted) && withPose == 1 && known.calibration();
   if (isCalibration && !readAs) known = KnownMatrices(file, source, conventions::opencv.convention);
   const ReadMatrix *const calibration = isCalibration ? known.calibration() : nullptr,
                           *const lens = known.only(projection), *const anyView = known.only(view),
                           *stand = anyView ? anyView : known.only(pose), *product = nullptr;
   if (!calibration && !(lens && stand)) product = known.only(viewProjection);
   if (!calibration && !lens && !stand && !product) product = known.only(viewProjectionInverse);
-  if (!calibration && !lens && !stand && !product) return std::nullopt;
+  const bool isWhole = calibration || lens || product;
+  if (!isWhole && (!stand || isTree(file))) return std::nullopt;
   if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
 
   MatrixSet set;

@@ -107,6 +107,12 @@ class TextReader {
 
   static bool isAmong(char c, std::string_view characters) { return characters.find(c) != std::string_view::npos; }
 
+  static bool isName(std::string_view word) {
+    return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return isLetter(c) || isDigit(c) || isAmong(c, "_.-") || static_cast<unsigned char>(c) > 127;
+    });
+  }
+
   /// "fx = 1462.5, fy 1460.2", "640x480 f[610 611]", "pose {position = {x=1, y=2}}", "Location: X=1 Y=2": whether the
   /// line has several names with numbers, or names within names, which are then kept.
   bool readSeveral(std::string_view text) {
@@ -168,6 +174,9 @@ class TextReader {
         add(*parseNumber(word.substr(0, by)));
         add(*parseNumber(word.substr(by + 1)));
         goesOn = false;
+      } else if (!isName(stripped(word, "\"'"))) {
+        name.clear();
+        goesOn = isAssigned = false;
       } else if (word.ends_with('.') || word == "and" || word == "with" || word == "is" || word == "are" ||
                  word == "has" || word == "at") {
         isAssigned = true;  // words of prose are no names

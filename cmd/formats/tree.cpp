@@ -60,7 +60,7 @@ bool holdsTexts(const Json& root) {
     if (value.is_structured()) return false;
     const std::string text = value.is_string() ? value.get<std::string>() : "";
     const bool isText = text.find_first_of("0123456789") != std::string::npos;
-    hasTexts = hasTexts || isText;
+    hasTexts = hasTexts || (isText && isLetter(text.front()));
     hasMarks = hasMarks || (isText && text.find_first_of("(=") != std::string::npos);
     hasNumbers = hasNumbers || value.is_number();
   }
