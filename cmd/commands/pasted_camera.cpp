@@ -200,6 +200,10 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (!calibration && !(lens && stand)) product = known.only(viewProjection);
   if (!calibration && !lens && !stand && !product) product = known.only(viewProjectionInverse);
   const bool isWhole = calibration || lens || product;
+  if (!isWhole && !stand && readAs)
+    for (const ReadMatrix& matrix : known.matrices)
+      if (matrix.found.readings.empty())
+        throw InputError(source + ": " + shownNameOf(matrix) + ": " + matrix.found.fault);
   if (!isWhole && (!stand || isTree(file))) return std::nullopt;
   if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
 

@@ -172,11 +172,20 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
     isOfCamera = read.poses.cameras.empty();
     if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
   } catch (const UnknownFormat& unknown) {
-    if (const auto pose = pick ? std::nullopt : printedPose(unknown.text)) return factorOf(*pose, field);
-    if (isInlineJson(name)) throw;
-    throw InputError(shownName(name) +
-                     ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
-                     "or {\"rotation\", \"translation\"}");
+    if (const auto pose = jointPose(unknown.text, pick)) return factorOf(*pose, field);
+    const std::vector<Json> printed = printedPoses(unknown.text);
+    if (printed.empty() && isInlineJson(name)) throw;
+    if (printed.empty())
+      throw InputError(
+          shownName(name) +
+          ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
+          "or {\"rotation\", \"translation\"}" +
+          (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
+    *file = {shownName(name), nullptr};
+    isOfCamera = false;
+    read = {{}, field, false};
+    read.poses.noun = "pose";
+    for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
