@@ -101,6 +101,13 @@ void CameraOptions::addConvention(CLI::App& app) {
       ->group(kConventionGroup);
 }
 
+void CameraOptions::addReversed(CLI::App& app) {
+  readsDepth_ = true;
+  const OptionGroup convention(app, kConventionGroup);
+  app.add_flag_callback(
+      "--reverse-z", [this] { reverseZ_ = true; }, "Depth with near and far exchanged");
+}
+
 void CameraOptions::addWriting(CLI::App& app) {
   addConvention(app);
   onlyReads_ = false;
@@ -133,7 +140,7 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   });
   if (isTyped && !readAs_ && convention_ && (convention_->convention.world == Handedness::right || !hasPlace))
     all.readAs = convention_->name;
-  if (isTyped && !readAs_ && reverseZ_)
+  if (isTyped && (!readAs_ || readsDepth_) && reverseZ_)
     all.patches.push_back(setPatch(std::string("convention.reverseZ=") + (*reverseZ_ ? "true" : "false")));
   if (viewport_)
     for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);
@@ -169,6 +176,8 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
+  if (name && readsDepth_ && reverseZ_)
+    throw UsageError("--reverse-z is of a camera by options; --set convention.reverseZ=true reads a file's depth so");
   if (!worldFromCamera_.empty() && !cameraFromWorld_.empty())
     throw UsageError("--world-from-camera and --camera-from-world are both the pose; keep one");
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");

@@ -396,6 +396,7 @@ Action declareInfo(CLI::App& app) {
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);
+  o->camera.addReversed(app);
   return [o] { return runInfo(*o); };
 }
 
