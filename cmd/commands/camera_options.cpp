@@ -55,10 +55,11 @@ void CameraOptions::add(CLI::App& app) {
            "Camera file, or its JSON; #NAME picks one of several");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, size=w+h, fovX=a'");
-  addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName, "FILE[#N], or 'x,y,z rpy:0,0,90'");
+  addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
+            "FILE[#N], 'x,y,z rpy:0,0,9', base first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
-  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid, in metres or a file");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm file");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {

@@ -316,8 +316,8 @@ Action declareRay(CLI::App& app) {
       "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
       "hit with a scene; null outside a lens.",
       "Examples:\n"
-      "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --pixel 640,360 --to table\n"
+      "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
+      "    --pixel 320,240 --plane z=0\n"
       "  viewproj ray --fx 600 --fy 600 --cx 320 --cy 240 --viewport 640x480 \\\n"
       "    --world-from-camera '1,0,0.5 rpy:-90,0,0' --pixel 400,300,viewDistance=0.8");
   o->stream.add(app, "pixels");
