@@ -59,7 +59,7 @@ void CameraOptions::add(CLI::App& app) {
             "FILE[#N], 'x,y,z rpy:0,0,9', base first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
-  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm file");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {
