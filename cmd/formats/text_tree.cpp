@@ -153,7 +153,9 @@ class TextReader {
       if (isAmong(c, " \t=:,;[{()}]")) {
         const bool isMark = isAmong(c, "=:"), isBracket = isAmong(c, "[{()}]");
         if (isMark && !name.empty() && !heading.empty()) levels.back().heading = std::exchange(heading, "");
+        constexpr std::size_t kDeepestNames = 20;
         if (isAmong(c, "[{(")) levels.push_back({name, ""});
+        if (levels.size() > kDeepestNames) return false;
         if (isAmong(c, ")}]") && levels.size() > 1) levels.pop_back();
         if (isBracket) name.clear();
         if (isAmong(c, ",;")) endName();
@@ -199,7 +201,9 @@ class TextReader {
   /// pose.position is a member of pose. Of one name several values are a list beside the first.
   static void put(Json& box, const std::string& name, Json value) {
     const std::size_t dot = name.find('.');
-    if (dot != std::string::npos && dot > 0 && dot + 1 < name.size() && isLetter(name[dot + 1])) {
+    constexpr std::size_t kLongest = 200;  // of a name that has members
+    if (name.size() < kLongest && dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
+        isLetter(name[dot + 1])) {
       Json& inner = box[name.substr(0, dot)];
       if (inner.is_null()) inner = Json::object();
       if (inner.is_object()) return put(inner, name.substr(dot + 1), std::move(value));
