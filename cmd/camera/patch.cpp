@@ -55,7 +55,35 @@ Json eulerOf(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+/// <origin xyz="1 2 3" rpy="0 0 1.57"/> of URDF, in radians.
+Json poseOfOrigin(const std::string& text) {
+  const auto numbersOf = [&](const char* name) {
+    std::string numbers = "0,0,0";
+    if (const std::size_t at = text.find(name); at != std::string::npos && at + 5 < text.size()) {
+      numbers.clear();
+      for (std::size_t i = at + 5; i < text.size() && text[i] != text[at + 4]; ++i)
+        if (text[i] != ' ')
+          numbers += text[i];
+        else if (!numbers.empty() && text[i - 1] != ' ')
+          numbers += ',';
+      if (numbers.ends_with(',')) numbers.pop_back();
+    }
+    const auto list = parseNumberList(numbers);
+    if (!list || list->size() != 3)
+      throw UsageError(text + ": expected three numbers, as in <origin xyz=\"1 2 3\" rpy=\"0 0 1.57\"/>");
+    return *list;
+  };
+  Json turns = Json::array();
+  for (const double angle : numbersOf("rpy=")) turns.push_back(formatNumber(angle) + "rad");
+  return {{"translation", numbersOf("xyz=")}, {"euler", {{"order", "rpy"}, {"degrees", turns}}}};
+}
+
+}  // namespace
+
 std::optional<Json> poseOfText(const std::string& text) {
+  if (text.starts_with("<origin")) return poseOfOrigin(text);
   const std::size_t blank = text.find(' ');
   const auto place = parseNumberList(text.substr(0, blank));
   if (place && place->size() == 3 && blank == std::string::npos)

@@ -28,7 +28,8 @@ Patch orthographicPatch();
 /// Throws UsageError.
 Patch setPatch(const std::string& text);
 /// A pose as options say it: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:) or vector:x,y,z
-/// (rvec:, radians). Nothing for a text that begins otherwise. The values are not checked.
+/// (rvec:, radians); or a URDF's <origin xyz="…" rpy="…"/>. Nothing for a text that begins otherwise. The values are
+/// not checked.
 std::optional<Json> poseOfText(const std::string& text);
 /// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);

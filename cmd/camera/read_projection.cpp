@@ -110,7 +110,9 @@ struct ProjectionReader {
     if (height > 0) return orthographicHeight(height, aspect(), zNear, zFar);
     if (width > 0) return orthographicWidth(width, aspect(), zNear, zFar);
     if (!has("projection.left") && !has("projection.right") && !has("projection.bottom") && !has("projection.top")) {
-      if (options.boxMayLack == BoxLack::sizeToo) return orthographicHeight(1, aspect(), zNear, zFar);
+      const bool hasShape = picture || has("projection.aspect");
+      if (options.boxMayLack == BoxLack::sizeToo)
+        return orthographicHeight(1, hasShape ? aspect() : Aspect(1), zNear, zFar);
       fail("needs left, right, bottom and top, or width or height");
     }
     const auto [left, right, bottom, top] = edges();

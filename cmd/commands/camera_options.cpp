@@ -55,10 +55,11 @@ void CameraOptions::add(CLI::App& app) {
            "Camera file, or its JSON; #NAME picks one of several");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, size=w+h, fovX=a'");
-  addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName, "FILE[#N], or 'x,y,z rpy:0,0,90'");
+  addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
+            "FILE[#N], 'x,y,z rpy:0,0,9', base first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
-  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid, in metres or a file");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {
@@ -101,6 +102,13 @@ void CameraOptions::addConvention(CLI::App& app) {
       ->group(kConventionGroup);
 }
 
+void CameraOptions::addReversed(CLI::App& app) {
+  readsDepth_ = true;
+  const OptionGroup convention(app, kConventionGroup);
+  app.add_flag_callback(
+      "--reverse-z", [this] { reverseZ_ = true; }, "Depth with near and far exchanged");
+}
+
 void CameraOptions::addWriting(CLI::App& app) {
   addConvention(app);
   onlyReads_ = false;
@@ -133,7 +141,7 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   });
   if (isTyped && !readAs_ && convention_ && (convention_->convention.world == Handedness::right || !hasPlace))
     all.readAs = convention_->name;
-  if (isTyped && !readAs_ && reverseZ_)
+  if (isTyped && (!readAs_ || readsDepth_) && reverseZ_)
     all.patches.push_back(setPatch(std::string("convention.reverseZ=") + (*reverseZ_ ? "true" : "false")));
   if (viewport_)
     for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);
@@ -169,6 +177,8 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
+  if (name && readsDepth_ && reverseZ_)
+    throw UsageError("--reverse-z is of a camera by options; --set convention.reverseZ=true reads a file's depth so");
   if (!worldFromCamera_.empty() && !cameraFromWorld_.empty())
     throw UsageError("--world-from-camera and --camera-from-world are both the pose; keep one");
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");
@@ -185,9 +195,7 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   try {
     return {openCameras(source.file, opening, all), source.pick};
   } catch (const UnknownFormat& unknown) {
-    const auto* const tree = dynamic_cast<const UnknownFile*>(&unknown);
-    const bool isTree = tree && !tree->file.isPlainText && tree->file.root->is_object();
-    if (parts_ || isTree || (showsMatrices_ && !changesCamera())) throw;
+    if (parts_ || (showsMatrices_ && !changesCamera())) throw;
     const auto matrices = cameraOfMatrices(unknown, shownName(source.file), readAs());
     if (!matrices) throw;
     all.readAs.clear();

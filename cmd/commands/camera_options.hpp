@@ -31,6 +31,9 @@ class CameraOptions {
   /// --convention for a command that writes in none: of options alone also how they are read.
   void addConvention(CLI::App& app);
 
+  /// --reverse-z for a command that reads depth: of options alone.
+  void addReversed(CLI::App& app);
+
   /// For a command that needs near and far alone: options without a field of view are enough.
   void takeAnyLens() { takesAnyLens_ = true; }
   /// For a command that tells of matrices in a text, unless options want a camera of them.
@@ -92,7 +95,7 @@ class CameraOptions {
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = false,
-       allowStretch_ = false, ignoreDistortion_ = false;
+       readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false;
 };
 
 }  // namespace viewproj::cmd

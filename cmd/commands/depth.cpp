@@ -256,21 +256,23 @@ Action declareDepth(CLI::App& app) {
       "Examples:\n"
       "  viewproj depth --near 0.1 --far 1000 --at 1,10,100\n"
       "  viewproj depth --far 5000 --gap 0.1 --at 2000\n"
-      "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true \\\n"
-      "    --depth 0.5,0.001");
+      "  viewproj depth --near 0.1 --read-as webgpu --reverse-z --depth 0.5,0.001");
   CLI::Option* const at =
       addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
                "Distances along the viewing axis (default: decades from near to far)");
   exclude(addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),
                    "Turn these window depths into distances along the viewing axis"),
           at);
-  require(addValue(app, "--gap", "LENGTH", o->gap, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
-                   "Tell which near resolves this gap at the distances of --at"),
-          at);
+  CLI::Option* const gap =
+      addValue(app, "--gap", "LENGTH", o->gap, numberThat([](double length) { return length > 0; }, "a length above 0"),
+               "Tell which near resolves this gap at the distances of --at");
+  require(gap, at);
   o->report.add(app, 8);
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);
+  o->camera.addReversed(app);
+  exclude(findOption(app, "--near"), gap);
   o->camera.takeAnyLens();
   return [o] { return runDepth(*o); };
 }

@@ -48,7 +48,12 @@ int runFit(const FitOptions& o) {
   StreamSetup setup = o.stream.setup(kSphereColumns);
   const bool reads = o.stream.reads(setup);
   const auto [cameras, pick] = o.camera.readAll();
-  const CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), true, BoxLack::sizeToo);
+  CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), true, BoxLack::sizeToo);
+  // A box needs no picture; without one, or where it may be stretched, it is as tight across as it is upwards.
+  const bool isBox = file.projection && file.projection->isOrthographic(), lacksPicture = isBox && !file.viewport;
+  const bool isFree =
+      isBox && (lacksPicture || file.reading.allowStretch) && !readValues(file.document).has("projection.aspect");
+  if (lacksPicture) file.viewport = Viewport{.width = file.projection->aspect(), .height = 1};
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   requireStraightEdges(file, "fit");
   (void)makeCamera(file);  // names the part that it lacks
@@ -56,7 +61,7 @@ int runFit(const FitOptions& o) {
   if (o.by == (orthographic ? Means::lens : Means::size))
     throw UsageError(orthographic ? "--by fov is of a perspective; --by size changes an orthographic box alone"
                                   : "--by size is of an orthographic camera; --by fov opens a lens");
-  Fitting fitting(file, o.margin);
+  Fitting fitting(file, o.margin, isFree);
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
   if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
@@ -82,7 +87,8 @@ Action declareFit(CLI::App& app) {
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
       "view changes. An orthographic camera also gets the width, height, near and far that options do not give; with "
-      "--by size it stays. Writes a camera file.",
+      "--by size it stays. Its box has the shape of --aspect or the viewport; with neither, or with --allow-stretch, "
+      "it is tight on every side. Writes a camera file.",
       "Examples:\n"
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"

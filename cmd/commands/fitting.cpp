@@ -20,6 +20,11 @@ namespace {
 DDVec3 difference(const Vec3& a, const Vec3& b) { return toDoubleDouble(a) + -toDoubleDouble(b); }
 double along(const Vec3& normal, const DDVec3& v) { return dot(toDoubleDouble(normal), v).hi; }
 double along(const Vec3& normal, const Vec3& v) { return along(normal, toDoubleDouble(v)); }
+/// The camera, with the picture of another one.
+CameraFile withPicture(CameraFile camera, const CameraFile& other) {
+  camera.viewport = other.viewport;
+  return camera;
+}
 double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 }  // namespace
@@ -31,10 +36,11 @@ Fitting::Window Fitting::windowWithin(double margin) const {
 }
 
 // So that the eye can move and the axes stay, its position becomes a field of the document.
-Fitting::Fitting(const CameraFile& camera, double margin)
-    : file_(readCamera(movedTo(camera, camera.pose->eye()), camera.reading)),
+Fitting::Fitting(const CameraFile& camera, double margin, bool isFree)
+    : file_(withPicture(readCamera(movedTo(camera, camera.pose->eye()), camera.reading), camera)),
       camera_(makeCamera(file_)),
       margin_(margin),
+      isFree_(isFree),
       open_(camera_) {
   const Projection& p = *file_.projection;
   // The margin taken off, and near and far out of the way.
@@ -183,18 +189,22 @@ Document Fitting::box(bool movesEye) const {
   if ((keepsNear && nearest_ < p.zNear()) || (keepsFar && farthest_ > p.zFar())) failCut();
   const auto [left, right, bottom, top] = windowWithin(margin_);
   const Window full = windowWithin(0);
-  double share = std::max((seen_.right - seen_.left) / (right - left), (seen_.top - seen_.bottom) / (top - bottom));
+  double across = (seen_.right - seen_.left) / (right - left), upwards = (seen_.top - seen_.bottom) / (top - bottom);
+  double share = std::max(across, upwards);
   const bool keepsSize = isTyped({"left", "right", "bottom", "top", "width", "height"});
   if (keepsSize && share > 1)
     throw InputError(file_.name + ": all of it needs a window of " + formatDigits(share * (full.right - full.left), 6) +
                      " by " + formatDigits(share * (full.top - full.bottom), 6));
   if (keepsSize) share = 1;
+  if (!isFree_ || keepsSize || !(std::min(across, upwards) > 0)) across = upwards = share;
   if (!(share > 0)) throw InputError("all of it is one point of the picture: it fits at any scale");
   const Vec3 eye = camera_.pose().eye();
   double x = (seen_.left + seen_.right) / 2, y = (seen_.bottom + seen_.top) / 2;
-  const double spare = keepsSize ? 0 : rounding(share) + (movesEye ? 0x1p-51 * size(eye) : 0);
-  const double toSide = (full.right - full.left) * share / 2 + spare,
-               toTop = (full.top - full.bottom) * share / 2 + spare;
+  // How far the things may be from the eye and the origin.
+  const double reach = size(eye) + std::fabs(x) + std::fabs(y) + std::max(std::fabs(nearest_), std::fabs(farthest_));
+  const double spare = keepsSize ? 0 : rounding(share) + 0x1p-50 * reach;
+  const double toSide = (full.right - full.left) * across / 2 + spare,
+               toTop = (full.top - full.bottom) * upwards / 2 + spare;
   const double deep = 0x1p-48 * (std::fabs(nearest_) + std::fabs(farthest_) + size(eye));
   const double least = farthest_ > nearest_ ? deep : deep + toTop;  // of a flat thing
   CameraFile there = file_;

@@ -11,8 +11,9 @@ namespace viewproj::cmd {
 
 class Fitting {
  public:
-  /// margin: the share of the picture that stays free on each side.
-  Fitting(const CameraFile& camera, double margin);
+  /// margin: the share of the picture that stays free on each side. isFree: an orthographic window need not have the
+  /// picture's shape.
+  Fitting(const CameraFile& camera, double margin, bool isFree = false);
 
   void add(const Sphere& sphere);
   void add(const Vec3& point) { add(Sphere{point, 0}); }
@@ -51,6 +52,7 @@ class Fitting {
   CameraFile file_;
   Camera camera_;
   double margin_;
+  bool isFree_;
   Camera open_;                ///< sees all in front of the eye, orthographic behind it too, near and far or not
   std::array<Side, 4> sides_;  ///< left, right, bottom, top, the margin taken off
   Side ahead_;                 ///< straight ahead

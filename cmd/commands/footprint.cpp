@@ -236,8 +236,8 @@ Action declareFootprint(CLI::App& app) {
   describe(
       app,
       "What each picture shows of the ground: its outline as a polygon, the area, and the ground sampling distance, "
-      "metres a pixel, at the centre and the corners. Takes all cameras of the files, or those that #NAME picks. What "
-      "lies beyond the horizon or --max-distance is cut there, and `cut` says so.",
+      "metres a pixel, at the centre and the corners, clockwise from the top left. Takes all cameras of the files, or "
+      "those that #NAME picks. It is cut at the horizon or --max-distance, as `cut` says.",
       "Examples:\n"
       "  viewproj footprint --position lat=46.9481,lon=7.4474,height=640 \\\n"
       "    --heading 212 --pitch -35 --fov-x 74 --viewport 5472x3648 --height 545\n"

@@ -332,15 +332,18 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
   const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height.isTyped();
+  if (isForCamera && proposal.lines.empty() && !unknown.file.fault.empty()) throw InputError(unknown.file.fault);
   if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
     return writeProposal(o, proposal);
-  const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
+  const bool isFaulty = !unknown.file.fault.empty(), isNothing = proposal.lines.empty() && unknown.file.isPlainText;
   if (!isNothing && (unknown.text.empty() || findMatrices(unknown.text).matrices.empty()))
     return writeProposal(o, proposal);
-  return runMatrices(o, unknown.text,
-                     unknown.file.name +
-                         ": is not a camera file of a known kind, and no numbers in it look like a camera or a matrix; "
-                         "viewproj help formats lists the kinds");
+  return runMatrices(
+      o, unknown.text,
+      isFaulty ? unknown.file.fault
+               : unknown.file.name +
+                     ": is not a camera file of a known kind, and no numbers in it look like a camera or a matrix; "
+                     "viewproj help formats lists the kinds");
 }
 
 /// A camera file, else what a file that no format claims may be, else matrices, else what is wrong with the file.
@@ -393,6 +396,7 @@ Action declareInfo(CLI::App& app) {
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);
+  o->camera.addReversed(app);
   return [o] { return runInfo(*o); };
 }
 

@@ -89,14 +89,14 @@ constexpr KindWords kKindWords[] = {
     {ReadingKind::viewProjection, "_viewproj _view_proj _proj_view _projection_view _projection_matrix_view"},
     {ReadingKind::viewProjection, "_mvp_ _wvp_ _vp_ _full_proj _culling"},
     {ReadingKind::pose, "_pose _matrix_world _eye_transform _eyetransform"},
-    {ReadingKind::view, "_extrin _look_at _lookat _world_view _view"},
+    {ReadingKind::view, "_extrin _look_at _lookat _world_view _view _r_t_"},
     {ReadingKind::projection, "_proj _persp _frustum _ortho"},
     {ReadingKind::k, "_intrin _camera_matrix _mtx_ _linemod _calib"},
     {ReadingKind::rotation, "_rot"}};
 /// Letters are names, and no words of prose.
 constexpr KindWords kKindLetters[] = {{ReadingKind::k, "_k_"},
                                       {ReadingKind::rotation, "_r_"},
-                                      {ReadingKind::view, "_v_ _mv_"},
+                                      {ReadingKind::view, "_v_ _mv_ _rt_"},
                                       {ReadingKind::projection, "_p_"}};
 /// What an object has too.
 constexpr KindWords kWeakWords[] = {{ReadingKind::pose, "_world_matrix _model _transform _root"},

@@ -145,6 +145,10 @@ std::vector<std::string> notesOn(const Reading& r) {
               "(viewport.pixelCenter 0), elsewhere often at halves.");
   if (r.pixels && std::fabs(r.pixels->skew) > 1e-6 * r.pixels->fx)
     notes.emplace_back("Its skew is not 0, and pixels of a skewed grid are not modelled.");
+  if (r.kind == ReadingKind::pose)
+    notes.emplace_back(
+        "Its axes are those of views. A transform of Unity has RUF, of Unreal FRU, of a robot FLU: --world-from-camera "
+        "FILE --set cameraAxes=FLU.");
   if (!r.camera) return notes;
   const MatrixCamera& camera = *r.camera;
   const bool isPose = r.kind == ReadingKind::view || r.kind == ReadingKind::pose;
@@ -318,7 +322,11 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       std::erase_if(readings, [&](const Reading& r) {
         return std::find(question.which.begin(), question.which.end(), r.kind) == question.which.end();
       });
-    if (readings.empty()) m.found.fault = "none of its readings is as --read-as and --which state";
+    if (readings.empty())
+      m.found.fault =
+          std::string("none of its readings is as ") + (!question.readAs         ? "--which states"
+                                                        : question.which.empty() ? "--read-as states"
+                                                                                 : "--read-as and --which state");
   }
   const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };

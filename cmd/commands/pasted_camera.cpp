@@ -1,31 +1,151 @@
 #include "commands/pasted_camera.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
+#include "camera/plain_camera.hpp"
+#include "formats/open.hpp"
+#include "formats/value.hpp"
 #include "output/output_file.hpp"
+#include "output/report.hpp"
 #include "text/names.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-/// The kind that its name or the words before it tell; of a matrix without a name, that of all its readings.
+bool canBe(const ReadMatrix& matrix, ReadingKind kind) {
+  const std::vector<Reading>& readings = matrix.found.readings;
+  return std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == kind; });
+}
+
+/// The kind that its name or the words before it tell, where P is called a projection too; of a matrix without a name,
+/// that of all its readings.
 std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   const std::vector<Reading>& readings = matrix.found.readings;
   if (readings.empty()) return std::nullopt;
   const std::optional<ReadingKind> told = hintOf(matrix.pasted).kind;
-  const ReadingKind kind = told.value_or(readings.front().kind);
-  const auto is = [&](const Reading& r) { return r.kind == kind; };
-  const bool fits = told ? std::any_of(readings.begin(), readings.end(), is)
-                         : matrix.pasted.name.empty() && std::all_of(readings.begin(), readings.end(), is);
-  return fits ? std::optional(kind) : std::nullopt;
+  const ReadingKind first = readings.front().kind;
+  const auto isOne = [&] {
+    return std::all_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == first; });
+  };
+  if (told && canBe(matrix, *told)) return told;
+  const bool isP = told == ReadingKind::projection && first == ReadingKind::p;
+  return (isP || matrix.pasted.name.empty()) && !(told && !isP) && isOne() ? std::optional(first) : std::nullopt;
 }
 
 std::string shownNameOf(const ReadMatrix& matrix) {
   const PastedMatrix& m = matrix.pasted;
   return m.name.empty() ? "the matrix in line " + std::to_string(m.line) : visible(m.name);
 }
+
+std::size_t countNumbers(const Json& value) {
+  if (!value.is_structured()) {
+    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : numbersIn(value);
+    return numbers ? numbers->size() : 0;
+  }
+  std::size_t count = 0;
+  for (const Json& part : value) count += countNumbers(part);
+  return count;
+}
+
+bool isTree(const UnknownFormat& file) {
+  const auto* const tree = dynamic_cast<const UnknownFile*>(&file);
+  return tree && !tree->file.isPlainText && tree->file.root->is_object();
+}
+
+/// Of a tree of JSON or YAML: whether all of its numbers are the matrices'.
+bool holdsMatricesAlone(const UnknownFormat& file, const PastedMatrices& pasted) {
+  if (!isTree(file)) return true;
+  std::size_t numbers = 0;
+  for (const PastedMatrix& m : pasted.matrices) numbers += m.numbers.size();
+  const std::size_t count = countNumbers(*dynamic_cast<const UnknownFile&>(file).file.root);
+  return count == 0 || count == numbers;
+}
+
+/// Whether the text has no other named numbers, which may be a distortion or a place.
+bool holdsNoOther(const PastedMatrices& pasted) {
+  return std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(),
+                     [](const PassedOver& over) { return over.name.empty(); });
+}
+
+/// The camera of a view-projection or its inverse, which all readings give. Throws InputError after its name.
+std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, const Convention& stated) {
+  OrderedJson camera;
+  for (const Reading& reading : matrix.found.readings) {
+    if (reading.kind != matrix.found.readings.front().kind) continue;
+    const MatrixLens& lens = *reading.camera->lens;
+    if (!lens.projection)
+      throw InputError(name + ": " +
+                       (lens.depthFault.empty()
+                            ? "its digits do not tell near and far; info tells its eye, axes and fields of view"
+                            : lens.depthFault));
+    Convention c = stated;
+    c.world = reading.camera->convention.world;
+    c.ndcZ = reading.camera->convention.ndcZ;
+    c.ndcY = reading.camera->convention.ndcY;
+    c.reverseZ = reading.camera->convention.reverseZ;
+    OrderedJson convention = asJson(c);
+    for (const ConventionPreset& preset : conventionPresets())
+      if (preset.convention == stated) convention.emplace("preset", preset.name);
+    const bool isLeft = c.world == Handedness::left;
+    const auto [x, t] = worldFromCamera(plainPose(*reading.camera->pose), isLeft ? CameraAxes::RUF : CameraAxes::RUB);
+    const Projection& p = *lens.projection;
+    const double scale = p.isOrthographic() ? 1 : p.zNear();
+    OrderedJson each{{"convention", convention},
+                     {"cameraAxes", isLeft ? "RUF" : "RUB"},
+                     {"worldFromCamera",
+                      {{x[0].x, x[1].x, x[2].x, t.x}, {x[0].y, x[1].y, x[2].y, t.y}, {x[0].z, x[1].z, x[2].z, t.z}}},
+                     {"projection",
+                      {{"type", p.isOrthographic() ? "orthographic" : "frustum"},
+                       {"left", p.left() * scale},
+                       {"right", p.right() * scale},
+                       {"bottom", p.bottom() * scale},
+                       {"top", p.top() * scale},
+                       {"near", p.zNear()}}}};
+    if (std::isfinite(p.zFar())) each["projection"]["far"] = p.zFar();
+    if (!camera.is_null() && camera != each)
+      throw InputError(name + ": can be read in several ways; viewproj info lists them, --read-as NAME chooses");
+    camera = std::move(each);
+  }
+  return camera.dump();
+}
+
+/// As it stands, or turned.
+OrderedJson numbersOf(const PastedMatrix& m, MatrixLayout layout) {
+  const bool isTurned = layout == MatrixLayout::transposed;
+  OrderedJson rows = OrderedJson::array();
+  for (std::size_t i = 0; i < (isTurned ? m.columns : m.rows); ++i) {
+    rows.push_back(OrderedJson::array());
+    for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
+      rows.back().push_back(isTurned ? m.at(j, i) : m.at(i, j));
+  }
+  return rows;
+}
+
+/// The matrices of a text by their kinds: those of one kind alone are a camera's.
+struct KnownMatrices {
+  std::vector<ReadMatrix> matrices;
+  std::vector<std::optional<ReadingKind>> kinds;
+
+  KnownMatrices(const UnknownFormat& file, const std::string& source, const std::optional<Convention>& readAs)
+      : matrices(readMatrices(file.text, source, file.what(), {readAs, {}})) {
+    std::transform(matrices.begin(), matrices.end(), std::back_inserter(kinds), kindOf);
+  }
+  const ReadMatrix* only(ReadingKind kind) const {
+    const auto found = std::find(kinds.begin(), kinds.end(), kind);
+    return std::count(kinds.begin(), kinds.end(), kind) == 1
+               ? &matrices[static_cast<std::size_t>(found - kinds.begin())]
+               : nullptr;
+  }
+  /// The one K or P of pixels.
+  const ReadMatrix* calibration() const {
+    const ReadMatrix *const k = only(ReadingKind::k), *const p = only(ReadingKind::p), *const found = k ? k : p;
+    return found && !(k && p) && found->found.readings.front().pixels ? found : nullptr;
+  }
+};
 
 }  // namespace
 
@@ -66,25 +186,33 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
 
 std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
                                             const std::optional<Convention>& readAs) {
-  if (findMatrices(file.text).matrices.empty()) return std::nullopt;
-  const std::vector<ReadMatrix> matrices = readMatrices(file.text, source, file.what(), {readAs, {}});
-  std::vector<std::optional<ReadingKind>> kinds;
-  std::transform(matrices.begin(), matrices.end(), std::back_inserter(kinds), kindOf);
-  const auto only = [&](ReadingKind kind) -> const ReadMatrix* {
-    const auto found = std::find(kinds.begin(), kinds.end(), kind);
-    return std::count(kinds.begin(), kinds.end(), kind) == 1
-               ? &matrices[static_cast<std::size_t>(found - kinds.begin())]
-               : nullptr;
-  };
-  const ReadMatrix *const view = only(ReadingKind::view), *const pose = view ? view : only(ReadingKind::pose),
-                          *const projection = only(ReadingKind::projection);
-  if (!pose && !projection) return std::nullopt;
+  const PastedMatrices pasted = findMatrices(file.text);
+  if (pasted.matrices.empty() || !holdsMatricesAlone(file, pasted)) return std::nullopt;
+  using enum ReadingKind;
+  KnownMatrices known(file, source, readAs);
+  // A calibration has a view or a pose beside it, and no more.
+  const std::size_t withPose = known.matrices.size() - (known.only(view) || known.only(ReadingKind::pose) ? 1 : 0);
+  const bool isCalibration = holdsNoOther(pasted) && withPose == 1 && known.calibration();
+  if (isCalibration && !readAs) known = KnownMatrices(file, source, conventions::opencv.convention);
+  const ReadMatrix *const calibration = isCalibration ? known.calibration() : nullptr,
+                          *const lens = known.only(projection), *const anyView = known.only(view),
+                          *stand = anyView ? anyView : known.only(pose), *product = nullptr;
+  if (!calibration && !(lens && stand)) product = known.only(viewProjection);
+  if (!calibration && !lens && !stand && !product) product = known.only(viewProjectionInverse);
+  const bool isWhole = calibration || lens || product;
+  if (!isWhole && !stand && readAs)
+    for (const ReadMatrix& matrix : known.matrices)
+      if (matrix.found.readings.empty())
+        throw InputError(source + ": " + shownNameOf(matrix) + ": " + matrix.found.fault);
+  if (!isWhole && (!stand || isTree(file))) return std::nullopt;
+  if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
+
   MatrixSet set;
   std::optional<Handedness> world;
-  set.convention = readAs.value_or(Convention{});
-  if (projection)
-    for (const Reading& reading : projection->found.readings)
-      if (reading.kind == ReadingKind::projection) set.convention.reverseZ = reading.camera->convention.reverseZ;
+  set.convention = isCalibration ? conventions::opencv.convention : readAs.value_or(Convention{});
+  if (lens)
+    for (const Reading& reading : lens->found.readings)
+      if (reading.kind == projection) set.convention.reverseZ = reading.camera->convention.reverseZ;
   const auto writing = [&](const Convention& own) {
     Convention c = set.convention;
     c.world = own.world;
@@ -94,18 +222,29 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
     set.matrices.back().name = std::move(name);
   };
-  if (pose) add(*pose, view ? "view" : "viewInverse");
-  if (projection) add(*projection, "projection");
+  if (stand) add(*stand, anyView ? "view" : "viewInverse");
+  if (lens && !product) add(*lens, "projection");
   set.convention.world = world.value_or(set.convention.world);
+
   std::string others;
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
-    const bool isOfThem = kinds[i] == ReadingKind::viewProjection || kinds[i] == ReadingKind::viewProjectionInverse ||
-                          kinds[i] == ReadingKind::projectionInverse;
-    if (&matrices[i] != pose && &matrices[i] != projection && !isOfThem)
-      others += (others.empty() ? "" : ", ") + shownNameOf(matrices[i]);
+  for (std::size_t i = 0; i < known.matrices.size(); ++i) {
+    const ReadMatrix& matrix = known.matrices[i];
+    const auto kind = known.kinds[i];
+    const bool isOfThem = kind == viewProjection || kind == viewProjectionInverse || kind == projectionInverse;
+    if (&matrix == stand || &matrix == lens || &matrix == product || &matrix == calibration || isOfThem) continue;
+    others += (others.empty() ? "" : ", ") + shownNameOf(matrix);
+    if (matrix.found.readings.empty())
+      others += " (" + matrix.found.fault + ")";
+    else if (!stand && !product && !kind && canBe(matrix, view))
+      others += " (a view or a pose; 'view =' or 'pose =' in front of it says which)";
   }
   if (!others.empty()) note(source + ": not read: " + others);
-  return writeMatrices(set, "json", source);
+  if (product) return cameraOfProduct(*product, source + ": " + shownNameOf(*product), readAs.value_or(Convention{}));
+  if (!calibration) return writeMatrices(set, "json", source);
+  const bool isP = calibration->found.readings.front().kind == p;
+  OrderedJson camera{{isP ? "P" : "K", numbersOf(calibration->pasted, calibration->found.readings.front().layout)}};
+  if (stand) camera[anyView ? "w2c" : "c2w"] = set.matrices.front().matrix.m;
+  return camera.dump();
 }
 
 }  // namespace viewproj::cmd

@@ -16,8 +16,10 @@ namespace viewproj::cmd {
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world);
 
-/// A view, or its inverse, and a projection in the text of a file as a file of matrices, in JSON; nothing where the
-/// text does not have one of each. Throws InputError where they can be read in several ways.
+/// What the matrices in the text of a file make, in JSON: a view, or its inverse, and a projection as a file of
+/// matrices; a view-projection, or its inverse, as a camera; K or P in pixels, with a view, as a calibration. Nothing
+/// where the text has none of these, or a tree has other numbers too. Throws InputError where they can be read in
+/// several ways.
 std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
                                             const std::optional<Convention>& readAs);
 

@@ -58,7 +58,9 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   if (pixel.viewDistance)
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
   if (!hasDepth(camera.projection()))
-    throw RecordError(0, "a window depth needs a camera with near; a distance along the viewing axis is viewDistance");
+    throw RecordError(0,
+                      "a window depth needs a camera with near; a distance along the viewing axis is viewDistance, as "
+                      "in X,Y,viewDistance=D");
   throw RecordError(0, "no point has the window depth " + formatNumber(*pixel.depth) + ": that of infinity is " +
                            formatNumber(camera.depths().atInfinity) +
                            "; a distance along the viewing axis is viewDistance");
@@ -207,11 +209,20 @@ class Caster final : public RecordProcessor {
   std::vector<const RecordCamera*> cameras_;
 };
 
-/// A pixel of the command line as a JSON record.
+/// A pixel of the command line as a JSON record; a distance by its name.
 GivenRecord readPixel(const std::string& option, const std::string& text) {
-  const std::vector<double> n = readPixelNumbers(option, text);
+  const std::size_t equals = text.find('='), comma = text.rfind(',', equals);
+  const bool isNamed = equals != std::string::npos && comma != std::string::npos;
+  const std::vector<double> n = readPixelNumbers(option, isNamed ? text.substr(0, comma) : text);
   std::string json = "{\"screen\":[" + formatNumber(n[0]) + "," + formatNumber(n[1]) + "]";
   if (n.size() > 2) json += ",\"depth\":" + formatNumber(n[2]);
+  if (isNamed) {
+    const std::string name = text.substr(comma + 1, equals - comma - 1);
+    const auto value = parseNumber(text.substr(equals + 1));
+    if (!value || n.size() > 2 || (name != "depth" && name != "viewDistance" && name != "range"))
+      throw UsageError(option + " " + text + ": expected X,Y,viewDistance=D, X,Y,range=R or X,Y,depth=DEPTH");
+    json += ",\"" + name + "\":" + formatNumber(*value);
+  }
   return {option + " " + text, json + "}"};
 }
 
@@ -305,10 +316,10 @@ Action declareRay(CLI::App& app) {
       "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
       "hit with a scene; null outside a lens.",
       "Examples:\n"
-      "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --pixel 640,360 --to table\n"
       "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
-      "    --pixel 320,240 --plane z=0");
+      "    --pixel 320,240 --plane z=0\n"
+      "  viewproj ray --fx 600 --fy 600 --cx 320 --cy 240 --viewport 640x480 \\\n"
+      "    --world-from-camera '1,0,0.5 rpy:-90,0,0' --pixel 400,300,viewDistance=0.8");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
   CLI::Option* const scene = addScene(app, o->scene, "Shapes to hit");
@@ -321,8 +332,9 @@ Action declareRay(CLI::App& app) {
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields,
            withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
-  addModel(app, o->model, "Write results in this model's coordinates");
+  addModel(app, o->model, "Write results, but distances, in this model's coordinates");
   o->camera.add(app);
+  o->camera.addReversed(app);
   o->cameras.add(app, false);
   return [o] { return run(*o); };
 }

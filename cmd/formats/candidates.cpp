@@ -133,7 +133,7 @@ constexpr Look kLooks[] = {{"K", "9", isK, kOfK, 1, Look::numbers, "", "", false
                            {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "", false},
                            {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
                            {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
-                           {"C", "2", isCentre, "cc principalpoint princpt pp center c", 0, Look::letters}};
+                           {"C", "2", isCentre, "cc principalpoint princpt pp center c p", 0, Look::letters}};
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 

@@ -129,6 +129,36 @@ Import openViews(const Node& root) {
   return result;
 }
 
+/// A camera as an engine's editor shows or prints it. fov: the field that its angle of view is.
+Import openShown(const std::string& engine, const std::vector<double>& place, const std::vector<double>& turn,
+                 const Node& root, const char* fov) {
+  Json camera{{"convention", engine}, {"position", place}, {"euler", {{"order", engine}, {"degrees", turn}}}};
+  for (const char* name : {"fieldOfView", "FieldOfView", "FOV", "fov"})
+    if (const auto angle = root.find(name)) camera["projection"] = {{"type", "perspective"}, {fov, numberOf(*angle)}};
+  for (const auto& [name, field] : {std::pair{"nearClipPlane", "near"}, {"farClipPlane", "far"}})
+    if (const auto distance = root.find(name)) camera["projection"][field] = numberOf(*distance);
+  Import result;
+  result.add("", "", [camera] { return camera; });
+  return result;
+}
+
+Import openUnity(const Node& root) {
+  const auto numbersAt = [&](const char* name) { return numbersOf(root.require(name), 3); };
+  return openShown("unity", numbersAt("position"), numbersAt("eulerAngles"), root, "fovY");
+}
+
+/// Location: X=1 Y=2 Z=3, Rotation: P=-20 Y=30 R=0, as FVector and FRotator are printed; or the names whole.
+Import openUnreal(const Node& root) {
+  const auto numbersAt = [&](const char* object, std::string_view names) {
+    const Node node = root.require(object);
+    std::vector<double> numbers;
+    for (const std::string_view name : wordsIn(names))
+      numbers.push_back(numberOf(node.require(node.find(name) ? name : name.substr(0, 1))));
+    return numbers;
+  };
+  return openShown("unreal", numbersAt("Location", "X Y Z"), numbersAt("Rotation", "Pitch Yaw Roll"), root, "fovX");
+}
+
 }  // namespace devices
 
 extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
@@ -136,6 +166,10 @@ extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
 extern const Format kOpenXr{"openxr", "views of OpenXR",
                             "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft !camera_path", devices::openViews,
                             "type next viewState*"};
+extern const Format kUnity{"unity", "a transform of Unity", "position:3 eulerAngles:3", devices::openUnity,
+                           "rotation local* lossyScale scale"};
+extern const Format kUnreal{"unreal", "a transform of Unreal", "Location.X Rotation.P|Rotation.Pitch",
+                            devices::openUnreal, "Scale"};
 extern const Format kExif{"exiftool", "a drone table of exiftool -n", ":list *.GPSLatitude *.GimbalYawDegree",
                           devices::openPictures, "*"};
 

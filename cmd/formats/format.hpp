@@ -28,7 +28,7 @@ struct Format {
 
 /// The formats that have a file.
 extern const Format kGltf, kThreeJs, kTransforms, kMetashape, kMetashapeLens, kMeshroom, kOpenSfm, kOpenSfmLenses,
-    kBundler, kExif, kOpenXr, kTable, kScanner, kKalibr, kPoses, kMatrices;
+    kBundler, kExif, kOpenXr, kTable, kScanner, kUnity, kUnreal, kKalibr, kPoses, kMatrices;
 
 // ---- Our document
 

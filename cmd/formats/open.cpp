@@ -22,8 +22,8 @@ namespace {
 
 /// The formats that have a file; the order does not matter, for one at most claims a file.
 constexpr const Format* kFormats[] = {
-    &kGltf,    &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses,
-    &kBundler, &kExif,    &kTable,      &kScanner,   &kOpenXr,        &kKalibr,   &kPoses,   &kMatrices};
+    &kGltf, &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,
+    &kExif, &kTable,   &kScanner,    &kOpenXr,    &kUnity,         &kUnreal,   &kKalibr,  &kPoses,         &kMatrices};
 
 /// Our own form may have names of others, as fx and cx in a projection.
 bool isOurs(const Json& root) {
@@ -45,7 +45,7 @@ struct Claim {
 /// The formats that claim a file: one, or none. all: looks for others too.
 std::vector<Claim> claimsOf(const Node& root, bool all) {
   std::vector<Claim> found;
-  if (isOurs(root.json())) return found;
+  if (isOurs(root.json()) || !root.document().fault.empty()) return found;
   for (const Format* format : kFormats) {
     // Matrices in plain text may be anything: info and matrix read them with all that is beside them.
     if (format == &kMatrices && root.document().isPlainText) continue;
@@ -134,6 +134,9 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     return judged(file, std::move(result), claim.known);
   }
   if (!file->isPlainText && isCameraDocument(*file->root)) return openCameraDocument(*file);
+  if (!file->fault.empty())
+    throw UnknownFile(file->fault + (file->root->size() > 1 ? "; viewproj info FILE tells what it has as text" : ""),
+                      *file);
   throw UnknownFile(file->name +
                         ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
                         "formats lists the kinds",
@@ -169,11 +172,20 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
     isOfCamera = read.poses.cameras.empty();
     if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
   } catch (const UnknownFormat& unknown) {
-    if (const auto pose = pick ? std::nullopt : printedPose(unknown.text)) return factorOf(*pose, field);
-    if (isInlineJson(name)) throw;
-    throw InputError(shownName(name) +
-                     ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
-                     "or {\"rotation\", \"translation\"}");
+    if (const auto pose = jointPose(unknown.text, pick)) return factorOf(*pose, field);
+    const std::vector<Json> printed = printedPoses(unknown.text);
+    if (printed.empty() && isInlineJson(name)) throw;
+    if (printed.empty())
+      throw InputError(
+          shownName(name) +
+          ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
+          "or {\"rotation\", \"translation\"}" +
+          (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
+    *file = {shownName(name), nullptr};
+    isOfCamera = false;
+    read = {{}, field, false};
+    read.poses.noun = "pose";
+    for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
@@ -300,7 +312,7 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
   if (opening.parts && !patches.readAs.empty())
     throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
-  if (!model) return openDocument(readTree(source, opening.option), opening, std::move(patches));
+  if (!model) return openDocument(readTree(source, opening.option, true), opening, std::move(patches));
   if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");
   const auto file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
   return cameraSet(file, openColmap(Node(*file)), opening, std::move(patches));

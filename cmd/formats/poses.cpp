@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/patch.hpp"
 #include "formats/claims.hpp"
 #include "formats/format.hpp"
 #include "formats/parts.hpp"
@@ -88,10 +89,11 @@ PosesOfFile posesOf(const Node& root) {
   return file;
 }
 
-std::optional<Json> printedPose(std::string_view text) {
-  const std::vector<PastedMatrix> matrices = findMatrices(text).matrices;
-  if (matrices.size() != 1 || matrices.front().numbers.size() < 12) return std::nullopt;
-  const PastedMatrix& m = matrices.front();
+namespace {
+
+/// The rows of a printed pose; nothing for a matrix that is none.
+std::optional<Json> poseIn(const PastedMatrix& m) {
+  if (m.numbers.size() < 12) return std::nullopt;
   const auto endsRigid = [&](bool isTransposed) {
     for (std::size_t i = 0; i < 4; ++i)
       if ((isTransposed ? m.at(i, 3) : m.at(3, i)) != (i < 3 ? 0 : 1)) return false;
@@ -105,6 +107,29 @@ std::optional<Json> printedPose(std::string_view text) {
     for (std::size_t j = 0; j < 4; ++j) rows.back().push_back(isTransposed ? m.at(j, i) : m.at(i, j));
   }
   return rows;
+}
+
+}  // namespace
+
+std::vector<Json> printedPoses(std::string_view text) {
+  std::vector<Json> poses;
+  for (const PastedMatrix& matrix : findMatrices(text).matrices) {
+    const auto pose = poseIn(matrix);
+    if (!pose) return {};
+    poses.push_back(*pose);
+  }
+  return poses;
+}
+
+std::optional<Json> jointPose(std::string_view text, const std::optional<std::string>& joint) {
+  if (joint) {
+    const std::size_t at = text.find("<joint name=\"" + *joint + "\"");
+    if (at == std::string_view::npos) return std::nullopt;
+    text = text.substr(at, text.find("</joint>", at) - at);
+  }
+  const std::size_t at = text.find("<origin");
+  const bool isOne = at != std::string_view::npos && text.find("<origin", at + 1) == std::string_view::npos;
+  return isOne ? poseOfText(std::string(text.substr(at, text.find('>', at) + 1 - at))) : std::nullopt;
 }
 
 extern const Format kPoses{"poses", "poses without a lens",

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "camera/camera_set.hpp"
 
@@ -19,8 +20,10 @@ struct PosesOfFile {
 bool holdsPoses(const Node& root);
 /// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
-/// The rows of the one pose that a text has, as a program prints it; of the two layouts the one whose last row is 0 0
-/// 0 1.
-std::optional<Json> printedPose(std::string_view text);
+/// The rows of the poses that a text has, as a program prints them; of the two layouts the one whose last row is 0 0 0
+/// 1. None where one of its matrices is no pose.
+std::vector<Json> printedPoses(std::string_view text);
+/// The origin of a URDF's joint: of the one that has this name, or of the only one.
+std::optional<Json> jointPose(std::string_view text, const std::optional<std::string>& joint);
 
 }  // namespace viewproj::cmd

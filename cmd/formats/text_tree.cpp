@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "formats/tree.hpp"
@@ -15,9 +16,11 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A number of a text, inf and nan included.
+/// A number of a text, inf and nan included, and one that ends a sentence.
 std::optional<double> numberIn(std::string_view word) {
   if (const auto number = parseNumber(word)) return number;
+  if (word.size() > 1 && word.ends_with('.') && word.find('.') + 1 < word.size())
+    return parseNumber(word.substr(0, word.size() - 1));
   const bool isNegative = word.starts_with('-');
   if (isNegative || word.starts_with('+')) word.remove_prefix(1);
   if (sameButForCase(word, "nan")) return std::numeric_limits<double>::quiet_NaN();
@@ -63,6 +66,7 @@ class TextReader {
       if (isBlank(line)) endBlock();
       return;
     }
+    if (readSeveral(text)) return;
     std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<");
     std::size_t lead = 0;
     while (lead < words.size() && !numberIn(words[lead])) ++lead;
@@ -75,6 +79,10 @@ class TextReader {
     std::vector<double> row;
     for (std::size_t i = lead; i < words.size() && numberIn(words[i]); ++i) row.push_back(*numberIn(words[i]));
     if (row.empty()) return keepText(text);
+    if (row.size() == 1 && words.back() == "*" && words.size() == lead + 2) {  // 1.0e+03 * of MATLAB
+      factor_ = row.front();
+      return;
+    }
     const auto rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), ';')) + 1;
     const bool isMatrix = rows > 1 && text.find('[') != std::string_view::npos &&
                           text.find("];") == std::string_view::npos && row.size() % rows == 0;
@@ -97,6 +105,115 @@ class TextReader {
 
   Json& box() { return box_ ? *box_ : root_; }
 
+  static bool isAmong(char c, std::string_view characters) { return characters.find(c) != std::string_view::npos; }
+
+  static bool isName(std::string_view word) {
+    return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return isLetter(c) || isDigit(c) || isAmong(c, "_.-") || static_cast<unsigned char>(c) > 127;
+    });
+  }
+
+  /// "fx = 1462.5, fy 1460.2", "640x480 f[610 611]", "pose {position = {x=1, y=2}}", "Location: X=1 Y=2": whether the
+  /// line has several names with numbers, or names within names, which are then kept.
+  bool readSeveral(std::string_view text) {
+    struct Level {  // of brackets
+      std::string opener, heading;
+    };
+    std::vector<Level> levels(1);
+    std::vector<std::pair<std::string, std::vector<double>>> found;
+    std::vector<std::pair<std::string, std::string>> texts;
+    std::string heading, name;  // a heading if a mark follows the name too, else the name is its text
+    bool isAssigned = false, goesOn = false, isNested = false;  // goesOn: a number belongs to the one before it
+    const auto add = [&](double number) {
+      if (goesOn && name.empty()) return found.back().second.push_back(number);
+      std::string path;
+      std::size_t depth = 0;
+      const auto step = [&](const std::string& each) {
+        if (!each.empty()) path.append(depth++ > 0 ? "." : "").append(each);
+      };
+      for (const Level& level : levels) {
+        step(level.opener);
+        step(level.heading);
+      }
+      step(name);
+      isNested = isNested || depth > 1;
+      goesOn = depth > 0;
+      if (goesOn && (found.empty() || found.back().first != path)) found.emplace_back(path, 0);
+      if (goesOn) found.back().second.push_back(number);
+      name.clear();
+      heading.clear();
+      isAssigned = false;
+    };
+    const auto endName = [&] {
+      if (!heading.empty() && !name.empty()) texts.emplace_back(std::exchange(heading, ""), name);
+      name.clear();
+    };
+    for (std::size_t at = 0; at < text.size();) {
+      const char c = text[at];
+      if (isAmong(c, " \t=:,;[{()}]")) {
+        const bool isMark = isAmong(c, "=:"), isBracket = isAmong(c, "[{()}]");
+        if (isMark && !name.empty() && !heading.empty()) levels.back().heading = std::exchange(heading, "");
+        constexpr std::size_t kDeepestNames = 20;
+        if (isAmong(c, "[{(")) levels.push_back({name, ""});
+        if (levels.size() > kDeepestNames) return false;
+        if (isAmong(c, ")}]") && levels.size() > 1) levels.pop_back();
+        if (isBracket) name.clear();
+        if (isAmong(c, ",;")) endName();
+        goesOn = goesOn && !isBracket;
+        isAssigned = isMark || (isAssigned && isAmong(c, " \t"));
+        ++at;
+        continue;
+      }
+      const std::size_t end = std::min(text.find_first_of(" \t=:,;[{()}]", at), text.size());
+      const std::string_view word = text.substr(at, end - at);
+      const std::size_t by = word.find('x');
+      at = end;
+      if (const auto number = numberIn(word)) {
+        if (found.empty() && name.empty() && levels.size() == 1) return false;  // a row of numbers
+        add(*number);
+      } else if (by != std::string_view::npos && parseNumber(word.substr(0, by)) && parseNumber(word.substr(by + 1))) {
+        if (name.empty()) name = "size";
+        add(*parseNumber(word.substr(0, by)));
+        add(*parseNumber(word.substr(by + 1)));
+        goesOn = false;
+      } else if (!isName(stripped(word, "\"'"))) {
+        name.clear();
+        goesOn = isAssigned = false;
+      } else if (word.ends_with('.') || word == "and" || word == "with" || word == "is" || word == "are" ||
+                 word == "has" || word == "at") {
+        isAssigned = true;  // words of prose are no names
+      } else {
+        if (isAssigned) heading = std::exchange(name, "");
+        isAssigned = false;
+        name.append(name.empty() ? "" : "_").append(stripped(word, "\"'"));
+      }
+    }
+    if (found.size() < 2 && !isNested) return false;
+    endName();
+    close();
+    key_.clear();
+    blocks_ += found.size();
+    for (auto& [path, value] : texts) put(box(), path, std::move(value));
+    for (auto& [path, numbers] : found) put(box(), path, numbers.size() == 1 ? Json(numbers.front()) : Json(numbers));
+    return true;
+  }
+
+  /// pose.position is a member of pose. Of one name several values are a list beside the first.
+  static void put(Json& box, const std::string& name, Json value) {
+    const std::size_t dot = name.find('.');
+    constexpr std::size_t kLongest = 200;  // of a name that has members
+    if (name.size() < kLongest && dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
+        isLetter(name[dot + 1])) {
+      Json& inner = box[name.substr(0, dot)];
+      if (inner.is_null()) inner = Json::object();
+      if (inner.is_object()) return put(inner, name.substr(dot + 1), std::move(value));
+    }
+    if (box.emplace(name, value).second) return;
+    Json& list = box[name + "#"];
+    if (!list.is_array()) list = Json::array();
+    list.push_back(std::move(value));
+  }
+
   /// name = "text"
   void keepText(std::string_view text) {
     const std::size_t sign = text.find_first_of("=:");
@@ -115,6 +232,9 @@ class TextReader {
   void close() {
     if (block_.empty()) return;
     ++blocks_;
+    for (std::vector<double>& row : block_)
+      for (double& number : row) number *= factor_;
+    factor_ = 1;
     const std::size_t columns = block_.front().size();
     const bool isMatrix =
         block_.size() > 1 && columns > 1 &&
@@ -128,17 +248,14 @@ class TextReader {
     }
     if (value.size() == 1 && value.front().is_number()) value = Json(value.front());
     const std::string name = key_.empty() ? "#" + std::to_string(blocks_) : key_;
-    if (!box().emplace(name, value).second) {
-      Json& list = box()[name + "#"];
-      if (!list.is_array()) list = Json::array();
-      list.push_back(std::move(value));
-    }
+    put(box(), name, std::move(value));
     block_.clear();
   }
 
   Json root_ = Json::object();
   Json* box_ = nullptr;  ///< of the last heading
   std::string key_;
+  double factor_ = 1;  ///< of the next block
   std::vector<std::vector<double>> block_;
   std::size_t blocks_ = 0;
 };

@@ -52,6 +52,21 @@ void unfoldMatrices(Json& value) {
     for (Json& part : value) unfoldMatrices(part);
 }
 
+/// Whether texts with numbers in them are all that it holds, "(1, 2, 3)", "X=1 Y=2", or all beside numbers.
+bool holdsTexts(const Json& root) {
+  if (!root.is_object()) return false;
+  bool hasTexts = false, hasMarks = false, hasNumbers = false;
+  for (const Json& value : root) {
+    if (value.is_structured()) return false;
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    const bool isText = text.find_first_of("0123456789") != std::string::npos;
+    hasTexts = hasTexts || (isText && isLetter(text.front()));
+    hasMarks = hasMarks || (isText && text.find_first_of("(=") != std::string::npos);
+    hasNumbers = hasNumbers || value.is_number();
+  }
+  return hasMarks || (hasTexts && !hasNumbers);
+}
+
 /// Sets the document's tree, and what it keeps of the text.
 void readText(Document& document, std::string text, bool isInline) {
   document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
@@ -64,7 +79,10 @@ void readText(Document& document, std::string text, bool isInline) {
     const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
     if (text[first] == '{' && second != std::string::npos && (text[second] == '"' || text[second] == '}'))
       throw InputError(full);
-    throw UnknownFormat(full, *document.text);
+    document.fault = full;
+    document.isPlainText = true;
+    root = textTree(text);
+    if (root.empty()) throw UnknownFormat(full, *document.text);
   };
   text.erase(0, text.size() - withoutByteOrderMark(text).size());
   std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -90,11 +108,14 @@ void readText(Document& document, std::string text, bool isInline) {
   root = tableTree(text);
   if (!root.is_null()) return;
   if (looksLikeYaml(text)) {
-    if (const auto fault = parseYaml(text, kDeepestJson, root)) fail(*fault);
-    if (root.is_structured()) return;
+    const auto fault = parseYaml(text, kDeepestJson, root);
+    if (fault) return fail(*fault);
+    if (root.is_structured() && !holdsTexts(root)) return;
   }
+  Json keys = textTree(text);
+  if (keys.empty() && root.is_structured()) return;
   document.isPlainText = true;
-  root = textTree(text);
+  root = std::move(keys);
   if (root.empty())
     throw UnknownFormat(
         document.name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
@@ -125,7 +146,7 @@ void addOtherFile(const Document& file) {
   }
 }
 
-Document readTree(const std::string& source, const std::string& option) {
+Document readTree(const std::string& source, const std::string& option, bool mayBeFaulty) {
   const bool isInline = isInlineJson(source);
   const std::string name = isInline ? option : insideFolder(source);
   Document document{isInline ? option : shownName(name), nullptr};
@@ -142,6 +163,7 @@ Document readTree(const std::string& source, const std::string& option) {
     requireNarrow(document.name, bytes);
     readText(document, std::move(bytes), false);
   }
+  if (!document.fault.empty() && !mayBeFaulty) throw UnknownFormat(document.fault, *document.text);
   unfoldMatrices(*document.root);
   return document;
 }

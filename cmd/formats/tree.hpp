@@ -13,7 +13,7 @@ namespace viewproj::cmd {
 /// Reads a file, "-" for standard input, or the JSON itself if source begins with a bracket. option: the name for
 /// inline JSON in messages. Throws InputError; files of programs that are known and not read are refused with what to
 /// do.
-Document readTree(const std::string& source, const std::string& option);
+Document readTree(const std::string& source, const std::string& option, bool mayBeFaulty = false);
 
 /// Adds the members of the file beside it to a file called intri…, or extri…: the same name with the other word.
 void addOtherFile(const Document& file);

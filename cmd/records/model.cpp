@@ -12,6 +12,7 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"
+#include "text/pasted_matrices.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
@@ -23,25 +24,19 @@ Vec3 readScale(const Node& value) {
   return {value.number(), value.number(), value.number()};
 }
 
-/// 4 rows of 4 as numpy and `matrix --to text` print them: numbers, and nothing else but brackets, commas and comments.
+/// 4 rows of 4 as programs print them.
 std::optional<Json> rowsOf(const std::string& text) {
+  const std::vector<PastedMatrix> matrices = findMatrices(text).matrices;
+  if (matrices.size() != 1 || matrices.front().rows != 4 || matrices.front().columns != 4) return std::nullopt;
+  const PastedMatrix& m = matrices.front();
+  if (!std::all_of(m.numbers.begin(), m.numbers.end(), [](const PrintedNumber& n) { return std::isfinite(n.value); }))
+    return std::nullopt;
   Json rows = Json::array();
-  std::size_t count = 0;
-  const char* const end = text.data() + text.size();
-  for (const char* at = text.data(); at != end;) {
-    if (*at == '#') {
-      at = std::find(at, end, '\n');
-    } else if (std::string_view(" \t\r\n[](),;").find(*at) != std::string_view::npos) {
-      ++at;
-    } else {
-      double number = 0;
-      at = readNumber(at, end, number);
-      if (!at || count == 16) return std::nullopt;
-      if (count++ % 4 == 0) rows.push_back(Json::array());
-      rows.back().push_back(number);
-    }
+  for (std::size_t i = 0; i < 4; ++i) {
+    rows.push_back(Json::array());
+    for (std::size_t j = 0; j < 4; ++j) rows.back().push_back(m.isByColumns ? m.at(j, i) : m.at(i, j));
   }
-  return count == 16 ? std::optional(std::move(rows)) : std::nullopt;
+  return rows;
 }
 
 Document loadModel(const std::string& source) {
@@ -130,13 +125,31 @@ Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
   return {coordinate(0), coordinate(1), coordinate(2), p.w};
 }
 
+namespace {
+
+/// "1,2,3 rpy:0,0,90 scale:2" or "1,2,3 scale:1,2,1".
+std::optional<Mat4> modelOfText(const std::string& source) {
+  const std::size_t at = source.find(" scale:");
+  const auto pose = poseOfText(source.substr(0, at));
+  if (!pose) return std::nullopt;
+  const Document typed{"--model " + source, std::make_shared<Json>(*pose)};
+  Mat4 m = matrixOf(rigidOf(readRigid(Node(typed))));
+  if (at == std::string::npos) return m;
+  auto scale = parseNumberList(source.substr(at + 7));
+  if (scale && scale->size() == 1) scale->resize(3, scale->front());
+  if (!scale || scale->size() != 3)
+    throw UsageError("--model " + source + ": expected scale:S or scale:X,Y,Z behind the place and its turn");
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] *= (*scale)[j];
+  return m;
+}
+
+}  // namespace
+
 Mat4 readModel(const std::string& source) {
   constexpr const char* kForms =
       "4 rows of 4 numbers, or {\"translation\": [x, y, z], \"rotation\": [x, y, z, w], \"scale\": [x, y, z]}";
-  if (const auto pose = poseOfText(source)) {
-    const Document typed{"--model " + source, std::make_shared<Json>(*pose)};
-    return matrixOf(rigidOf(readRigid(Node(typed))));
-  }
+  if (const auto typed = modelOfText(source)) return *typed;
   if (source.find(',') != std::string::npos && parseNumberList(source))
     throw UsageError("--model " + source + ": expected a file or the JSON itself: " + kForms);
   const Document document = loadModel(source);

@@ -103,7 +103,9 @@ std::vector<Block> sideBySide(const std::vector<Part>& parts, std::size_t count)
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<Part> rows;
     for (std::size_t j = i; j < parts.size(); j += count) rows.push_back(parts[j]);
-    blocks.push_back(asRows(rows));
+    Block& block = blocks.emplace_back(asRows(rows));
+    block.number = i;
+    block.beside = count;
   }
   return blocks;
 }
@@ -320,9 +322,10 @@ class BlockFinder {
 }  // namespace
 
 bool isGeneric(std::string_view key) {
-  return isOneOf(lower(key.substr(key.rfind('.') + 1)),
-                 {"data", "elements", "value", "values", "columns", "array", "v", "type", "name", "result", "ans",
-                  "floats", "dtype", "some", "rows", "cols", "dt", "m"});
+  const std::string_view last = key.substr(key.rfind('.') + 1);
+  return isOneOf(last, {"v", "m"}) ||
+         isOneOf(lower(last), {"data", "elements", "value", "values", "columns", "array", "type", "name", "result",
+                               "ans", "floats", "dtype", "some", "rows", "cols", "dt"});
 }
 
 Runs runsOf(const std::vector<Token>& tokens) {

@@ -35,6 +35,17 @@ bool hasWord(std::string_view line) {
                             [&](char a, char b) { return isWordLetter(a) && isWordLetter(b); }) != line.end();
 }
 
+/// The headings of a line: what blanks or a colon part, without marks.
+std::vector<std::string_view> headingsOf(std::string_view line) {
+  std::vector<std::string_view> headings;
+  for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != kNone;) {
+    const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.find(':', at), line.size()});
+    headings.push_back(line.substr(at, end - at));
+    at = std::min(line.find_first_not_of(":", end), line.size());
+  }
+  return headings;
+}
+
 /// What the lines in front and the brackets around call the matrices.
 class Namer {
  public:
@@ -87,6 +98,9 @@ class Namer {
       hasColumns_ = saysColumns(line(m.line));
     }
     m.isByColumns = m.isByColumns || hasColumns_;
+    if (block.beside > 1 && m.line > 1)
+      if (const auto headings = headingsOf(line(m.line - 1)); headings.size() == block.beside)
+        m.name = headings[block.number];
     lastLine_ = block.numbers.back()->line;
   }
 

@@ -109,6 +109,7 @@ struct Block {
   std::vector<const Number*> numbers;
   std::size_t rows, columns;
   bool isInMemoryOrder;
+  std::size_t number = 0, beside = 1;  ///< which it is of so many side by side
 };
 
 struct Blocks {

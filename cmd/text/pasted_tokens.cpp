@@ -253,7 +253,7 @@ class Scanner {
     for (std::size_t start = begin; begin - start < kLongest; ++words) {
       if (words <= 4) first = start;
       const std::size_t word = start == 0 ? kNone : t_.find_last_not_of(" \t", start - 1);
-      if (word == kNone || isAmong(t_[word], "\n>*#/-")) return t_.substr(first, end - first);
+      if (word == kNone || isAmong(t_[word], "\n>*#/-]")) return t_.substr(first, end - first);
       if (word + 1 == start || !(isNamePart(t_[word]) || t_[word] == '.')) break;
       for (start = word; start > 0 && (isNamePart(t_[start - 1]) || isAmong(t_[start - 1], ".-"));) --start;
       if (!isNameStart(t_[start])) break;

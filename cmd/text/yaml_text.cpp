@@ -226,7 +226,13 @@ bool looksLikeYaml(std::string_view text) {
     const std::size_t colon = line.substr(0, kLongest).find(':');
     if (colon == std::string_view::npos || colon == 0) return false;
     if (colon + 1 < line.size() && line[colon + 1] != ' ' && line[colon + 1] != '\t') return false;
-    return line.substr(0, colon).find_first_of("{}[],<>=;()|") == std::string_view::npos;
+    if (line.substr(0, colon).find_first_of("{}[],<>=;()|") != std::string_view::npos) return false;
+    // A plain value has no second key, "fx: 1, fy: 2", and is no vector, "(1, 2, 3)".
+    const std::size_t value = line.find_first_not_of(" \t", colon + 1);
+    if (value != std::string_view::npos && line[value] == '(') return false;
+    return value == std::string_view::npos ||
+           std::string_view("\"'[{&!|>#").find(line[value]) != std::string_view::npos ||
+           line.substr(value, line.find(" #", value) - value).find(": ") == std::string_view::npos;
   }
   return false;
 }

@@ -524,6 +524,10 @@ for command in ("project", "matrix", "convert", "explain"):
     row(command, "--reverse-z", differs)
     row(command, "--no-reverse-z", differs, changed(LENS, {"convention": {"preset": "opengl", "reverseZ": True}}))
     row(command, "--ndc-z 0..1", differs)
+for command in ("ray", "info", "depth"):
+    reversed_as = BASES[command][0].replace("--plane z=0 --fields origin,direction,point,range,hit", "--fields point")
+    row(command, "--reverse-z", same(changed(LENS, {"convention": {"preset": "opengl", "reverseZ": True}}), reversed_as),
+        None, f"{TYPED} {reversed_as}")
 
 
 LISTS = ["--to", "--fields", "--by", "--precision", "--which"]
