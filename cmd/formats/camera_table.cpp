@@ -25,22 +25,35 @@ constexpr std::string_view kNameColumns = "name camera image imagename file file
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
-    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw world fx fy cx cy near far "
+    "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw cameraAxes world fx fy cx cy "
+    "near far "
     "viewport.width "
     "viewport.height "
     "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
 
+/// Names that count where all of them are there, by their letters and digits, or as they are where they have a _.
+struct Family {
+  std::string_view names, paths;
+};
+constexpr std::string_view kPlace = "position.x position.y position.z", kSize = "viewport.width viewport.height";
+constexpr Family kFamilies[] = {
+    {"x0 y0 z0", kPlace},    {"px py pz", kPlace}, {"c_x c_y c_z", kPlace},           {"easting northing", kPlace},
+    {"width height", kSize}, {"w h", kSize},       {"imagewidth imageheight", kSize}, {"imgwidth imgheight", kSize}};
+/// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
+/// across or up. Each with its columns.
+constexpr std::string_view kOthers[][2] = {
+    {"projection.f", "f focal focalpx focallengthpx"},
+    {"projection.f35", "focallengthin35mmformat focallengthin35mmfilm focallength35mm f35mm"},
+    {"projection.fov", "fov fieldofview"}};
+
 /// "k1" of "k1" and "distortion.k1"; empty for a column of something else.
 std::string_view coefficientOf(std::string_view column) {
-  constexpr std::string_view kFront = "distortion.";
-  if (column.starts_with(kFront)) column.remove_prefix(kFront.size());
-  return isAmong(column, kCoefficients) ? column : "";
-}
-
-/// Where the value of a column stands in our document; empty: it is no field of ours.
-std::string pathOf(std::string_view column, bool isOnEarth) {
-  if (isAmong(column, "distortion.model model camera_model distortion_model")) return "distortion.model";
-  return pathOfColumn(column, isOnEarth);
+  constexpr std::string_view kFront = "distortion";
+  std::string letters = lettersOf(column);
+  if (letters.starts_with(kFront)) letters.erase(0, kFront.size());
+  for (const std::string_view name : wordsIn(kCoefficients))
+    if (name == letters) return name;
+  return "";
 }
 
 /// The cell of a column, whose name counts in any letter case.
@@ -53,6 +66,11 @@ std::optional<Node> cellAt(const Node& row, std::string_view name) {
 bool isOnEarth(const Json& row) {
   return std::any_of(row.items().begin(), row.items().end(),
                      [](const auto& column) { return pathOfColumn(column.key(), true) == "position.lat"; });
+}
+
+bool isOnMap(const Json& row) {
+  return std::any_of(row.items().begin(), row.items().end(),
+                     [](const auto& column) { return lettersOf(column.key()) == "easting"; });
 }
 
 bool isEmpty(const Json& cell) {
@@ -79,7 +97,7 @@ bool isOpk(const Node& row) {
 std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row) {
   if (isOpk(row)) return {{"opk", kOpk}};
   const auto yaw = cellAt(row, "yaw"), order = cellAt(row, "order");
-  if (!yaw || isOnEarth(row.json()) || cellAt(row, "heading")) return std::nullopt;
+  if (!yaw || isOnEarth(row.json()) || isOnMap(row.json()) || cellAt(row, "heading")) return std::nullopt;
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name != "rpy")
@@ -88,33 +106,76 @@ std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf
   return {{name, kRpy}};
 }
 
-/// A position, and a column of a turn or a lens beside it. A time and a pose alone are a trajectory.
+/// Where each column of a file stands in our document; empty: nowhere.
+using Paths = std::map<std::string, std::string, std::less<>>;
+
+bool hasPath(const Paths& paths, std::string_view path) {
+  return std::any_of(paths.begin(), paths.end(), [&](const auto& column) { return column.second == path; });
+}
+bool hasField(const Paths& paths, std::string_view top) {
+  return std::any_of(paths.begin(), paths.end(),
+                     [&](const auto& column) { return column.second.substr(0, column.second.find('.')) == top; });
+}
+
+Paths pathsOf(const Json& row) {
+  const bool onEarth = isOnEarth(row);
+  Paths paths;
+  for (const auto& [column, cell] : row.items()) {
+    const std::string letters = lettersOf(column);
+    std::string& path = paths[column];
+    path = isAmong(letters, "distortionmodel model cameramodel") ? "distortion.model" : pathOfColumn(column, onEarth);
+    for (const auto& [other, names] : kOthers)
+      if (isAmong(letters, names)) path = other;
+  }
+  for (const auto& [names, ofNames] : kFamilies) {
+    std::vector<std::string_view> columns;
+    for (const std::string_view name : wordsIn(names))
+      for (const auto& [column, path] : paths)
+        if (sameButForCase(column, name) || lettersOf(column) == name) {
+          columns.push_back(column);
+          break;
+        }
+    const std::vector<std::string_view> all = wordsIn(ofNames);
+    const bool isOther = ofNames == kPlace && hasField(paths, "position");
+    if (columns.size() == wordsIn(names).size() && !isOther)
+      for (std::size_t i = 0; i < columns.size(); ++i) paths.find(columns[i])->second = all[i];
+  }
+  for (auto& [column, path] : paths) {
+    const bool isHeight = path.empty() && (isSeaLevelName(column) || sameButForCase(column, "height"));
+    if (isHeight && hasPath(paths, "position.x") && !hasPath(paths, "position.z")) path = "position.z";
+    if (path.empty() && isAmong(lettersOf(column), "width height")) path = "viewport." + lettersOf(column);
+    // What says the lens in pixels counts before what says it otherwise.
+    if ((path == kOthers[0][0] || path == kOthers[1][0]) && hasPath(paths, "projection.fx")) path = "";
+  }
+  return paths;
+}
+
+/// A position, and a column of a turn or a lens beside it; or a lens with the whole name of a field of ours. A time and
+/// a pose alone are a trajectory.
 bool recognises(const Node& root) {
   const Json& rows = root.json();
   if (!rows.is_array() || rows.empty() || !rows.front().is_object()) return false;
   const Json& row = rows.front();
-  const bool onEarth = isOnEarth(row);
-  bool hasPosition = false, hasTurn = isOpk(root[0]), hasLens = false;
-  for (const auto& [column, cell] : row.items()) {
-    if (cell.is_structured()) return false;
-    const std::string path = pathOf(column, onEarth), first = path.substr(0, path.find('.'));
-    hasPosition = hasPosition || first == "position";
-    hasLens = hasLens || first == "projection";
-    hasTurn = hasTurn || isAmong(first, "rotation heading target direction");
+  if (std::any_of(row.begin(), row.end(), [](const Json& cell) { return cell.is_structured(); })) return false;
+  const Paths paths = pathsOf(row);
+  bool hasTurn = isOpk(root[0]), isOurs = false;
+  for (const auto& [column, path] : paths) {
+    hasTurn = hasTurn || isAmong(path.substr(0, path.find('.')), "rotation heading target direction");
+    isOurs = isOurs || (column == path && path.find('.') != std::string::npos);
   }
-  return hasPosition && (hasLens || (hasTurn && !holdsPoses(root)));
+  const bool hasLens = hasField(paths, "projection");
+  return hasField(paths, "position") ? hasLens || (hasTurn && !holdsPoses(root)) : hasLens && isOurs;
 }
 
-/// Where each column of a file stands in our document.
-using Paths = std::unordered_map<std::string, std::string>;
-
 Json documentOf(const Node& row, const Paths& paths) {
-  const bool onEarth = isOnEarth(row.json());
   // Only an orthographic camera has a window of a size.
-  const bool isPerspective = std::any_of(row.json().items().begin(), row.json().items().end(), [&](const auto& column) {
-    const auto* const field = findField(pathOf(column.key(), onEarth));
-    return field && field->types != 0 && (field->types & kOrthographic) == 0;
+  const bool isPerspective = std::any_of(paths.begin(), paths.end(), [&](const auto& column) {
+    const auto* const field = findField(column.second);
+    return column.second.starts_with("projection.f") ||
+           (field && field->types != 0 && (field->types & kOrthographic) == 0);
   });
+  const bool isHeightUnclear =
+      isOnEarth(row.json()) && !hasPath(paths, "position.height") && !hasPath(paths, "position.altitude");
   Json fields = Json::object();
   const auto turns = turnsOf(row);
   std::vector<Json> degrees(3, 0);
@@ -136,18 +197,18 @@ Json documentOf(const Node& row, const Paths& paths) {
     if (isEmpty(cell)) continue;
     const Node node = *row.find(column);
     if (putTurn(column, node)) continue;
-    const std::string side = lowered(column);
-    const bool isSize = (side == "width" || side == "height") && !onEarth;
-    if (isSize && !isPerspective)
-      node.fail("may be the picture's or the window's: call it viewport." + side + " or projection." + side);
     if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
       coefficients.emplace_back(coefficient, numberOf(node));
       continue;
     }
     const auto found = paths.find(column);
-    const std::string path = isSize                 ? "viewport." + side
-                             : found == paths.end() ? pathOf(column, onEarth)
-                                                    : found->second;
+    const std::string path = found == paths.end() ? pathOfColumn(column, isOnEarth(row.json())) : found->second;
+    const std::string letters = lettersOf(column);
+    if (isAmong(letters, "width height") && path.starts_with("viewport") && !isPerspective)
+      node.fail("may be the picture's or the window's: call it viewport." + letters + " or projection." + letters);
+    if (letters == "height" && path == "viewport.height" && isHeightUnclear)
+      node.fail("may be the picture's or the place's: call it viewport.height or position.height");
+    if (path == "projection.fov") node.fail("may be the angle across or up: call it fovX or fovY");
     if (path.empty()) continue;
     node.mark();
     if (path == "distortion.model") {
@@ -159,6 +220,18 @@ Json documentOf(const Node& row, const Paths& paths) {
     if (!place.is_null()) node.fail("is said by another column too; keep one");
     place = number && number->size() == 1 ? Json(number->front()) : cell;
   }
+  const auto take = [&](const char* name) {
+    Json value;
+    if (const auto projection = fields.find("projection"); projection != fields.end() && projection->contains(name)) {
+      value = (*projection)[name];
+      projection->erase(name);
+    }
+    return value;
+  };
+  if (const Json f = take("f"); !f.is_null()) fields["projection"].update({{"fx", f}, {"fy", f}});
+  if (const Json f = take("f35"); !f.is_null())
+    fields["projection"].update({{"focalLength", f}, {"sensorDiagonal", std::hypot(36, 24)}});
+  if (isOnMap(row.json())) fields.emplace("world", "enu");
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
   if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};
@@ -170,10 +243,12 @@ Json documentOf(const Node& row, const Paths& paths) {
 }
 
 Import open(const Node& root) {
-  const auto paths = std::make_shared<Paths>();
-  for (const auto& [column, cell] : root.json().front().items())
-    paths->emplace(column, pathOf(column, isOnEarth(root.json().front())));
+  const auto paths = std::make_shared<Paths>(pathsOf(root.json().front()));
   Import result;
+  const auto has = [&](std::string_view top) { return hasField(*paths, top); };
+  result.hasUnclearAxes = (has("rotation") || has("worldFromCamera") || has("cameraFromWorld")) &&
+                          (hasPath(*paths, "projection.fx") || hasPath(*paths, kOthers[0][0])) && !has("cameraAxes") &&
+                          !has("convention");
   for (std::size_t i = 0; i < root.size(); ++i) {
     const Node row = root[i];
     result.add(
@@ -212,6 +287,7 @@ void addPose(const WrittenCamera& camera, Cells& cells) {
     if (hasTurns) cells[std::string((isRpy ? kRpy : kOpk)[i])] = formatNumber(turns[i]);
   }
   if (isRpy) cells["order"] = "rpy";
+  if (!hasTurns) cells["cameraAxes"] = "RUB";
   for (std::size_t i = 0; i < 4 && !hasTurns; ++i) cells[std::string("q") + "xyzw"[i]] = formatNumber(q[i]);
   if (camera.file.worldIsEcef || camera.file.worldIsEnu)
     cells["world"] = viewproj::cmd::nameOf(kWorlds, camera.file.worldIsEcef ? World::ecef : World::enu);

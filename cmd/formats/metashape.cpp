@@ -97,10 +97,13 @@ Json placedCamera(const Node& chunk, const Node& camera) {
   return placed;
 }
 
-/// Those of a group that are aligned: that have a transform.
-void addCameras(const Node& group, std::vector<Node>& cameras) {
+/// Those of a group that are aligned: that have a transform. others: the labels of those that are not.
+void addCameras(const Node& group, std::vector<Node>& cameras, std::vector<std::string>& others) {
   for (const Node& camera : itemsAt(group, "camera"))
-    if (camera.json().is_object() && contentOf(camera, "transform")) cameras.push_back(camera);
+    if (camera.json().is_object() && contentOf(camera, "transform"))
+      cameras.push_back(camera);
+    else
+      others.push_back(textOf(camera, "@label"));
 }
 
 Import open(const Node& root) {
@@ -110,12 +113,12 @@ Import open(const Node& root) {
   const Node chunk = chunks.front();
   const auto all = chunk.find("cameras");
   std::vector<Node> cameras;
+  Import result;
   if (all) {
-    addCameras(*all, cameras);
-    for (const Node& group : itemsAt(*all, "group")) addCameras(group, cameras);
+    addCameras(*all, cameras, result.withoutPose);
+    for (const Node& group : itemsAt(*all, "group")) addCameras(group, cameras, result.withoutPose);
     if (cameras.empty()) all->fail("holds no camera that is aligned: none has a transform");
   }
-  Import result;
   for (const Node& camera : cameras)
     result.add(textOf(camera, "@label"), textOf(camera, "@id"), [=] { return placedCamera(chunk, camera); });
   return result;

@@ -109,6 +109,28 @@ Import importParts(const Node& root, const std::string& line) {
   throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
 }
 
+/// A pose of ours beside members that are not may be another program's: the reader's message, and a file to propose
+/// for.
+void requireOwnMembers(const Document& file) {
+  const auto isOf = [](std::string_view key) {
+    return key == "cameras" || std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+             return key == topName(field) || key == field.alias;
+           });
+  };
+  const auto isOther = [&](const auto& member) { return !isOf(member.key()); };
+  const auto members = file.root->items();
+  for (const char* ours : {"convention", "projection", "viewport"})
+    if (file.root->contains(ours)) return;
+  if (std::none_of(members.begin(), members.end(), isOther)) return;
+  try {
+    Document copy{file.name, std::make_shared<Json>(*file.root)};
+    normalize(copy);
+    (void)readValues(copy);
+  } catch (const InputError& e) {
+    throw UnknownFile(e.what(), file, true);
+  }
+}
+
 Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
   const Node root(*file);
   if (opening.parts) return importParts(root, *opening.parts);
@@ -133,7 +155,10 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), claim.known);
   }
-  if (!file->isPlainText && isCameraDocument(*file->root)) return openCameraDocument(*file);
+  if (!file->isPlainText && isCameraDocument(*file->root)) {
+    requireOwnMembers(*file);
+    return openCameraDocument(*file);
+  }
   throw UnknownFile(file->name +
                         ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
                         "formats lists the kinds",
@@ -256,6 +281,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
                                (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
                                " keeps both)";
+  result.hasUnclearAxes = false;
   const auto moved = [&](const CameraEntry& camera, std::size_t number) {
     return [document = camera.document, factors, number, direction = opening.direction] {
       return atPose(document(), *factors, number, direction);
@@ -298,7 +324,10 @@ std::unique_ptr<CameraSet> openDocument(Document document, const Opening& openin
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   if (opening.parts && !patches.readAs.empty())
-    throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
+    throw UsageError(
+        "--parts makes a camera in the convention opencv; leave out --read-as, or say --set cameraAxes=RUB for "
+        "OpenGL's "
+        "axes");
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
   if (!model) return openDocument(readTree(source, opening.option), opening, std::move(patches));
   if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");

@@ -33,6 +33,7 @@ namespace {
   "T_lidar_to_cam|CameraMatrix, worldFromCamera?=T_world_cam|worldFromCamera|c2w|cam_to_world|camera_to_world, " \
   "cameraFromWorld.rotation?=R|rotation_matrix|cam_R_w2c|poses.R, "                                              \
   "cameraFromWorld.rotationVector?=rvec|rotation_vector|rotationVector|rvecs, "                                  \
+  "cameraFromWorld.quaternionWFirst?=qvec, "                                                                     \
   "cameraFromWorld.translation?=t|tvec|T|translation_vector|translationVector|translation|cam_t_w2c|poses.T|tvecs"
 #define NOTHING_READ                                                                                                 \
   "ret rms rms_error rms_err rmse error *_error *_errors *Error *Errors per_view* avg_* mean_* objpoints imgpoints " \

@@ -61,6 +61,8 @@ std::vector<Part> parseParts(std::string_view line, const std::string& label, st
 
 /// The value at a path without a star. Null values count as absent.
 std::optional<Node> valueAt(const Node& root, std::string_view path);
+/// The paths of values that are numbers, a star for each row of a list of objects.
+std::vector<std::string> pathsOfNumbers(const Json& root);
 /// The path with the star replaced.
 std::string withStar(std::string_view path, std::string_view star);
 /// Calls visit with each text that the star of a path stands for, until it returns false. Whether there is any.
