@@ -19,8 +19,10 @@ namespace {
 constexpr const char* kCameras = "cameras";
 constexpr std::size_t kMostNames = 8;  // in messages
 
-/// Members that say nothing of a camera; --read-as states a convention.
-bool isBeside(std::string_view name) { return name == "name" || name == "$schema" || name == "convention"; }
+/// Members that say nothing of a camera, or that many kinds of files have; --read-as states a convention.
+bool isBeside(std::string_view name) {
+  return name == "name" || name == "$schema" || name == "convention" || name == "distortion";
+}
 
 /// Whether the object has a member of ours at its top, but those that many kinds of files have.
 bool hasOurMember(const Json& object) {

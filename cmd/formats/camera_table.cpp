@@ -37,14 +37,15 @@ struct Family {
 };
 constexpr std::string_view kPlace = "position.x position.y position.z", kSize = "viewport.width viewport.height";
 constexpr Family kFamilies[] = {
-    {"x0 y0 z0", kPlace},    {"px py pz", kPlace}, {"c_x c_y c_z", kPlace},           {"easting northing", kPlace},
-    {"width height", kSize}, {"w h", kSize},       {"imagewidth imageheight", kSize}, {"imgwidth imgheight", kSize}};
+    {"x0 y0 z0", kPlace},         {"px py pz", kPlace},    {"c_x c_y c_z", kPlace}, {"camx camy camz", kPlace},
+    {"easting northing", kPlace}, {"width height", kSize}, {"w h", kSize},          {"imagewidth imageheight", kSize},
+    {"imgwidth imgheight", kSize}};
 /// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
 /// across or up. Each with its columns.
 constexpr std::string_view kOthers[][2] = {
     {"projection.f", "f focal focalpx focallengthpx"},
     {"projection.f35", "focallengthin35mmformat focallengthin35mmfilm focallength35mm f35mm"},
-    {"projection.fov", "fov fieldofview"}};
+    {"projection.fov", "fov fovdeg fovdegrees fieldofview"}};
 
 /// "k1" of "k1" and "distortion.k1"; empty for a column of something else.
 std::string_view coefficientOf(std::string_view column) {
@@ -150,21 +151,18 @@ Paths pathsOf(const Json& row) {
   return paths;
 }
 
-/// A position, and a column of a turn or a lens beside it; or a lens with the whole name of a field of ours. A time and
-/// a pose alone are a trajectory.
+/// A position, and a column of a turn or a lens beside it. A time and a pose alone are a trajectory.
 bool recognises(const Node& root) {
   const Json& rows = root.json();
   if (!rows.is_array() || rows.empty() || !rows.front().is_object()) return false;
   const Json& row = rows.front();
   if (std::any_of(row.begin(), row.end(), [](const Json& cell) { return cell.is_structured(); })) return false;
   const Paths paths = pathsOf(row);
-  bool hasTurn = isOpk(root[0]), isOurs = false;
-  for (const auto& [column, path] : paths) {
-    hasTurn = hasTurn || isAmong(path.substr(0, path.find('.')), "rotation heading target direction");
-    isOurs = isOurs || (column == path && path.find('.') != std::string::npos);
-  }
-  const bool hasLens = hasField(paths, "projection");
-  return hasField(paths, "position") ? hasLens || (hasTurn && !holdsPoses(root)) : hasLens && isOurs;
+  const bool hasTurn =
+      isOpk(root[0]) || std::any_of(paths.begin(), paths.end(), [](const auto& column) {
+        return isAmong(column.second.substr(0, column.second.find('.')), "rotation heading target direction");
+      });
+  return hasField(paths, "position") && (hasField(paths, "projection") || (hasTurn && !holdsPoses(root)));
 }
 
 Json documentOf(const Node& row, const Paths& paths) {

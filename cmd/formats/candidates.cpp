@@ -64,12 +64,20 @@ constexpr ScalarNames kScalars[] = {
     {"gy", "py mv gamma2"}};
 /// Those that are called as the kind is.
 constexpr std::string_view kPlainScalars =
-    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33";
+    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33 rx ry rz pitch roll yaw "
+    "heading";
 
 std::string_view scalarOf(std::string_view letters) {
   for (const auto& [kind, names] : kScalars)
     if (isAmong(letters, names)) return kind;
   return isAmong(letters, kPlainScalars) ? letters : "";
+}
+
+/// "tx" of tx_m: metres and pixels are what is meant without a unit.
+std::string_view withoutUnit(std::string_view name) {
+  for (const std::string_view unit : {"_m", "_px"})
+    if (name.size() > unit.size() + 1 && name.ends_with(unit)) return name.substr(0, name.size() - unit.size());
+  return name;
 }
 
 /// An angle of view by a word of its name: fovX, fovY, or fov where no other word says which.
@@ -194,7 +202,7 @@ class Finder {
     if (!numbers || numbers->empty() || numbers->size() > kMost) return;
     const std::vector<double>& n = *numbers;
     if (!areAll(n, [](double number) { return std::isfinite(number); })) return;
-    const std::string letters = lettersOf(key);
+    const std::string letters = lettersOf(withoutUnit(key));
     if (n.size() == 1) {
       const std::string_view bare = std::string_view(letters).substr(0, letters.find_last_not_of("0123456789") + 1);
       if (const std::string_view kind = scalarOf(letters); !kind.empty())

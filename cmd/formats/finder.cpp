@@ -339,6 +339,11 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
     if (!isFish) line.ask.push_back("k1 to k4 without p1, p2: fisheye, or brown?");
     return;
   }
+  if (named->contains("k2") && named->contains("k3")) {
+    line.add("distortion", together(*named, {"k1", "k2"}), score / 2, "+0+0+" + named->find("k3")->second->path());
+    line.used.push_back(named->find("k3")->second);
+    return;
+  }
   k = together(*named, {"k1", "k2"});
   line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
 }
@@ -548,24 +553,25 @@ Proposal proposeParts(const Document& file) {
     for (const Chosen& each : line.used) {
       used.insert(bareOf(*each));
       for (const auto& [star, one] : each->star) used.insert(bareOf(*one));
-      for (const Chosen& term : each->terms) used.insert(bareOf(*term));
+      for (const Chosen& term : each->terms) {
+        used.insert(bareOf(*term));
+        for (const auto& [star, one] : term->star) used.insert(bareOf(*one));
+      }
     }
   }
-  // Numbers of no kind are left out beside the parts that are used, and above them.
-  const auto isBesideUsed = [&](const Candidate& candidate) {
-    const std::string path = candidate.path(),
-                      box = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.') + 1);
-    return std::none_of(used.begin(), used.end(),
-                        [&](const std::string& each) { return each.starts_with(path + "."); }) &&
-           std::any_of(used.begin(), used.end(), [&](const std::string& each) { return each.starts_with(box); });
+  const auto isUsedBelow = [&](const std::string& front) {
+    const auto first = used.lower_bound(front);
+    return first != used.end() && first->starts_with(front);
   };
   for (const Chosen& each : all) {
-    const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up") ||
-                        (each->kind == "?" && isBesideUsed(*each));
-    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() && isKind &&
-                        !used.contains(bareOf(*each)) &&
+    const std::string path = each->path(), box = path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.') + 1);
+    // Numbers of no kind and single ones are left out beside the parts that are used, and above them.
+    const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up"),
+               isBeside = isAmong(each->kind, "? x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading");
+    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() &&
+                        (isKind || (isBeside && isUsedBelow(box))) && !used.contains(bareOf(*each)) &&
+                        !isUsedBelow(path + ".") &&
                         std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
-    const std::string path = each->path();
     if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
       proposal.leftOut.push_back(path);
   }

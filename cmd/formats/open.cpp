@@ -109,19 +109,28 @@ Import importParts(const Node& root, const std::string& line) {
   throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
 }
 
-/// A pose of ours beside members that are not may be another program's: the reader's message, and a file to propose
-/// for.
+[[noreturn]] void failUnknown(const Document& file) {
+  throw UnknownFile(file.name +
+                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
+                        "formats lists the kinds",
+                    file);
+}
+
+/// A pose of ours beside members that are not may be another program's. Where most are not, it is; else the reader's
+/// message tells, and info proposes too.
 void requireOwnMembers(const Document& file) {
   const auto isOf = [](std::string_view key) {
     return key == "cameras" || std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
              return key == topName(field) || key == field.alias;
            });
   };
-  const auto isOther = [&](const auto& member) { return !isOf(member.key()); };
-  const auto members = file.root->items();
   for (const char* ours : {"convention", "projection", "viewport"})
     if (file.root->contains(ours)) return;
-  if (std::none_of(members.begin(), members.end(), isOther)) return;
+  const std::size_t count = file.root->size();
+  std::size_t known = 0;
+  for (const auto& member : file.root->items()) known += isOf(member.key()) ? 1 : 0;
+  if (known == count) return;
+  if (2 * known < count) failUnknown(file);
   try {
     Document copy{file.name, std::make_shared<Json>(*file.root)};
     normalize(copy);
@@ -159,10 +168,7 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     requireOwnMembers(*file);
     return openCameraDocument(*file);
   }
-  throw UnknownFile(file->name +
-                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
-                        "formats lists the kinds",
-                    *file);
+  failUnknown(*file);
 }
 
 /// One of the poses whose product is a camera's, or several in turn.

@@ -291,9 +291,9 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
 /// "; did you mean 'calib.fx'?", or what numbers the file has.
 std::string nearPath(const Node& root, const std::string& path) {
   const std::vector<std::string> paths = pathsOfNumbers(root.json());
-  const std::string name = path.substr(path.rfind('.') + 1);
+  const auto lastOf = [](const std::string& of) { return lettersOf(of.substr(of.rfind('.') + 1)); };
   for (const std::string& each : paths)
-    if (sameButForCase(each.substr(each.rfind('.') + 1), name)) return "; did you mean '" + visible(each) + "'?";
+    if (lastOf(each) == lastOf(path)) return "; did you mean '" + visible(each) + "'?";
   if (const std::string_view near = nearestName(path, std::vector<std::string_view>(paths.begin(), paths.end()));
       !near.empty())
     return "; did you mean '" + visible(near) + "'?";

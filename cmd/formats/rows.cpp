@@ -24,8 +24,9 @@ namespace {
   "distortion_coefficients|dist_coeffs|distCoeffs|distortionCoefficients|dist|D|d|distortion|Distortion_Coefficients|" \
   "distortion_coeffs|dist_coeff|dist_coefs|distCoef|distCoeff|kc|distortion_vec|distortions|Distortion|cam_dist|"      \
   "camera_dist_coeffs|disto"
-#define SIZES                                                                                                     \
-  "size?=width|image_width|image_Width|w|W|img_width|cols+height|image_height|image_Height|h|H|img_height|rows||" \
+#define SIZES                                                                                                       \
+  "size?=width|image_width|image_Width|w|W|img_width|cols|viewport.width+height|image_height|image_Height|h|H|img_" \
+  "height|rows|viewport.height||"                                                                                   \
   "image_size|img_size|imageSize|resolution|cameraRes|size"
 #define MODELS "model?=distortion_model|camera_model|lens_model|lensmodel, isFisheye?=fisheye_model|is_fisheye|fisheye"
 #define POSES                                                                                                    \

@@ -266,15 +266,16 @@ class Unread {
   /// What reads a pose that is left: a name, or the line that the finder proposes.
   std::string wayToRead(const Left& left) const {
     const std::size_t count = oneOf(left.node, left.numbers).size();
-    if ((count == 12 || count == 16) && !left.areMembers) return "call it cameraFromWorld or worldFromCamera";
+    const bool isMatrix = (count == 12 || count == 16) && !left.areMembers;
+    const std::string called = isMatrix ? "call it cameraFromWorld or worldFromCamera, or " : "";
     for (const ProposedLine& line : proposeParts(*file_).lines) {
       const std::size_t pose = std::min({line.parts.find("pose"), line.parts.find("From")});
       if (pose == std::string::npos || line.parts.find(left.name, pose) == std::string::npos) continue;
       const bool isAsked = line.parts.find("pose", pose) != std::string::npos;
-      return "read it by --parts '" + line.parts + "'" +
+      return called + "read it by --parts '" + line.parts + "'" +
              (isAsked ? ", with worldFromCamera or cameraFromWorld for pose" : "");
     }
-    return "read it by --parts (viewproj help parts)";
+    return called + "read it by --parts (viewproj help parts)";
   }
 
   void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {

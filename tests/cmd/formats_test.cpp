@@ -564,6 +564,21 @@ TEST_CASE("names that state an order or a direction up are obeyed by the finder 
   CHECK(proposed(w).decide.back().find("cameraAxes=RUB") != std::string::npos);
   CHECK(proposed(R"({"shot": {"eye": [12, 8, 15], "target": [1, 2, 0], "up": [0, 1, 0], "vfov": 50}})").parts ==
         "fovY=shot.vfov, position=shot.eye, target=shot.target, up=shot.up");
+  // Three coefficients are k1, k2 and k3, and single numbers of a pose are no less left out than others.
+  const Proposal mount = proposeParts(readTree(
+      R"({"mount": {"X": 0.5, "Yaw": 20, "lens": {"fx_px": 90, "fy_px": 91, "cx_px": 45, "cy_px": 30, "k1": 0.1, "k2": 0.2, "k3": 0.3}}})",
+      "FILE"));
+  const std::string lens = "mount.lens.";
+  CHECK(mount.lines.at(0).parts == "K=" + lens + "fx_px+" + lens + "fy_px+" + lens + "cx_px+" + lens +
+                                       "cy_px, distortion=" + lens + "k1+" + lens + "k2+0+0+" + lens + "k3");
+  CHECK(mount.leftOut == std::vector<std::string>{"mount.X", "mount.Yaw"});
+  // Members that many programs have do not make a file ours.
+  const char* const others[] = {
+      R"({"cameras": [{"focal": 900, "center": [45, 30], "distortion": [-0.1, 0.05]}, {"focal": 901, "center": [45, 30], "distortion": [-0.1, 0.06]}]})",
+      R"({"position": [1, 2, 3], "orientation_wxyz": [1, 0, 0, 0], "focal_length": 24, "clipping": [0.1, 9]})"};
+  for (const char* file : others) CHECK(messageOf(file).find("of a known kind") != std::string::npos);
+  CHECK(messageOf(R"({"position": [1, 2, 3], "target": [0, 0, 0], "fovy": 60})").find("fovy: is not known") !=
+        std::string::npos);
   // A table of one row is a set.
   CHECK(proposed(R"([{"shot": "a", "fovy": 40, "w2c": [1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3]}])").parts ==
         "fovY=*.fovy, cameraFromWorld=*.w2c");
