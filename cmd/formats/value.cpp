@@ -61,12 +61,6 @@ bool appendText(std::string_view text, std::vector<double>& numbers) {
   return numbers.size() > before;
 }
 
-/// An element of XML that has attributes too is its text.
-const Json& contentOf(const Json& value) {
-  const auto text = value.is_object() ? value.find("#text") : value.end();
-  return value.is_object() && text != value.end() ? *text : value;
-}
-
 bool append(const Json& whole, std::vector<double>& numbers) {
   const Json& value = contentOf(whole);
   if (value.is_number()) {
@@ -271,6 +265,11 @@ bool addPath(const Node& root, const Path& path, std::string_view star, bool isT
 }
 
 }  // namespace
+
+const Json& contentOf(const Json& value) {
+  const auto text = value.is_object() ? value.find("#text") : value.end();
+  return value.is_object() && text != value.end() ? *text : value;
+}
 
 std::optional<std::vector<double>> numbersIn(const Json& value) {
   std::vector<double> numbers;

@@ -21,6 +21,8 @@
 
 namespace viewproj::cmd {
 
+/// The text of an element of XML that has attributes too; other values as they are.
+const Json& contentOf(const Json& value);
 /// The numbers of a value: a number, a text that is only numbers, arrays, or an object whose names are known to have an
 /// order, such as {"x", "y", "z"}. Nothing if it holds anything else.
 std::optional<std::vector<double>> numbersIn(const Json& value);
