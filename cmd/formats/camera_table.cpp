@@ -22,6 +22,7 @@ namespace table {
 
 /// The first of these names the camera, in any letter case.
 constexpr std::string_view kNameColumns = "name camera image imagename file filename photoid label id time";
+constexpr std::string_view kLens = "lens.";  // before a coefficient, as the place of a column
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
@@ -95,10 +96,10 @@ bool isOpk(const Node& row) {
 
 /// The columns of a row's turns, where they are no heading: their order, and their names as it lists them. The yaw of a
 /// robot turns the other way than that of a compass.
-std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row) {
+std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row, bool isCompass) {
   if (isOpk(row)) return {{"opk", kOpk}};
   const auto yaw = cellAt(row, "yaw"), order = cellAt(row, "order");
-  if (!yaw || isOnEarth(row.json()) || isOnMap(row.json()) || cellAt(row, "heading")) return std::nullopt;
+  if (!yaw || isCompass || cellAt(row, "heading")) return std::nullopt;
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name != "rpy")
@@ -124,7 +125,10 @@ Paths pathsOf(const Json& row) {
   for (const auto& [column, cell] : row.items()) {
     const std::string letters = lettersOf(column);
     std::string& path = paths[column];
-    path = isAmong(letters, "distortionmodel model cameramodel") ? "distortion.model" : pathOfColumn(column, onEarth);
+    const std::string_view coefficient = coefficientOf(column);
+    path = isAmong(letters, "distortionmodel model cameramodel") ? "distortion.model"
+           : coefficient.empty()                                 ? pathOfColumn(column, onEarth)
+                                                                 : std::string(kLens) + std::string(coefficient);
     for (const auto& [other, names] : kOthers)
       if (isAmong(letters, names)) path = other;
   }
@@ -165,17 +169,29 @@ bool recognises(const Node& root) {
   return hasField(paths, "position") && (hasField(paths, "projection") || (hasTurn && !holdsPoses(root)));
 }
 
-Json documentOf(const Node& row, const Paths& paths) {
-  // Only an orthographic camera has a window of a size.
-  const bool isPerspective = std::any_of(paths.begin(), paths.end(), [&](const auto& column) {
-    const auto* const field = findField(column.second);
-    return column.second.starts_with("projection.f") ||
-           (field && field->types != 0 && (field->types & kOrthographic) == 0);
-  });
-  const bool isHeightUnclear =
-      isOnEarth(row.json()) && !hasPath(paths, "position.height") && !hasPath(paths, "position.altitude");
+/// What the columns of a file are, once for all rows.
+struct Header {
+  Paths paths;
+  bool onEarth, onMap;
+  bool isPerspective;    ///< only an orthographic camera has a window of a size
+  bool isHeightUnclear;  ///< no other column is the place's
+
+  explicit Header(const Json& columns)
+      : paths(pathsOf(columns)),
+        onEarth(hasPath(paths, "position.lat")),
+        onMap(isOnMap(columns)),
+        isPerspective(std::any_of(paths.begin(), paths.end(),
+                                  [](const auto& column) {
+                                    const auto* const field = findField(column.second);
+                                    return column.second.starts_with("projection.f") ||
+                                           (field && field->types != 0 && (field->types & kOrthographic) == 0);
+                                  })),
+        isHeightUnclear(onEarth && !hasPath(paths, "position.height") && !hasPath(paths, "position.altitude")) {}
+};
+
+Json documentOf(const Node& row, const Header& header) {
   Json fields = Json::object();
-  const auto turns = turnsOf(row);
+  const auto turns = turnsOf(row, header.onEarth || header.onMap);
   std::vector<Json> degrees(3, 0);
   const auto putTurn = [&](std::string_view column, const Node& cell) {
     if (sameButForCase(column, "order")) {
@@ -195,16 +211,15 @@ Json documentOf(const Node& row, const Paths& paths) {
     if (isEmpty(cell)) continue;
     const Node node = *row.find(column);
     if (putTurn(column, node)) continue;
-    if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
-      coefficients.emplace_back(coefficient, numberOf(node));
+    const std::string& path = header.paths.find(column)->second;
+    if (path.starts_with(kLens)) {
+      coefficients.emplace_back(path.substr(kLens.size()), numberOf(node));
       continue;
     }
-    const auto found = paths.find(column);
-    const std::string path = found == paths.end() ? pathOfColumn(column, isOnEarth(row.json())) : found->second;
     const std::string letters = lettersOf(column);
-    if (isAmong(letters, "width height") && path.starts_with("viewport") && !isPerspective)
+    if (isAmong(letters, "width height") && path.starts_with("viewport") && !header.isPerspective)
       node.fail("may be the picture's or the window's: call it viewport." + letters + " or projection." + letters);
-    if (letters == "height" && path == "viewport.height" && isHeightUnclear)
+    if (letters == "height" && path == "viewport.height" && header.isHeightUnclear)
       node.fail("may be the picture's or the place's: call it viewport.height or position.height");
     if (path == "projection.fov") node.fail("may be the angle across or up: call it fovX or fovY");
     if (path.empty()) continue;
@@ -214,8 +229,10 @@ Json documentOf(const Node& row, const Paths& paths) {
       continue;
     }
     const auto number = numbersIn(cell);
+    const auto whole = fields.find(path.substr(0, path.find('.')));
+    const bool isWhole = whole != fields.end() && path.find('.') != path.npos && !whole->is_object();
+    if (isWhole || !placeAt(fields, path).is_null()) node.fail("is said by another column too; keep one");
     Json& place = placeAt(fields, path);
-    if (!place.is_null()) node.fail("is said by another column too; keep one");
     place = number && number->size() == 1 ? Json(number->front()) : cell;
   }
   const auto take = [&](const char* name) {
@@ -229,7 +246,7 @@ Json documentOf(const Node& row, const Paths& paths) {
   if (const Json f = take("f"); !f.is_null()) fields["projection"].update({{"fx", f}, {"fy", f}});
   if (const Json f = take("f35"); !f.is_null())
     fields["projection"].update({{"focalLength", f}, {"sensorDiagonal", std::hypot(36, 24)}});
-  if (isOnMap(row.json())) fields.emplace("world", "enu");
+  if (header.onMap) fields.emplace("world", "enu");
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
   if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};
@@ -241,16 +258,19 @@ Json documentOf(const Node& row, const Paths& paths) {
 }
 
 Import open(const Node& root) {
-  const auto paths = std::make_shared<Paths>(pathsOf(root.json().front()));
+  Json columns = root.json().front();
+  for (const Json& row : root.json())
+    if (row.is_object()) columns.insert(row.begin(), row.end());
+  const auto header = std::make_shared<const Header>(columns);
   Import result;
-  const auto has = [&](std::string_view top) { return hasField(*paths, top); };
+  const auto has = [&](std::string_view top) { return hasField(header->paths, top); };
   result.hasUnclearAxes = (has("rotation") || has("worldFromCamera") || has("cameraFromWorld")) &&
-                          (hasPath(*paths, "projection.fx") || hasPath(*paths, kOthers[0][0])) && !has("cameraAxes") &&
-                          !has("convention");
+                          (hasPath(header->paths, "projection.fx") || hasPath(header->paths, kOthers[0][0])) &&
+                          !has("cameraAxes") && !has("convention");
   for (std::size_t i = 0; i < root.size(); ++i) {
     const Node row = root[i];
     result.add(
-        row.json().is_object() ? nameOf(row) : "", "", [row, paths] { return documentOf(row, *paths); }, row);
+        row.json().is_object() ? nameOf(row) : "", "", [row, header] { return documentOf(row, *header); }, row);
   }
   return result;
 }

@@ -259,6 +259,8 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
        "[3:7]"},
       {R"([{"lat": 47, "lon": 8, "heading": 0, "width": 100, "height": 50, "fovX": 60}])",
        "call it viewport.height or position.height"},
+      {R"([{"x": 1, "y": 2, "z": 3, "heading": 0, "viewport": 640, "viewport.width": 640}])",
+       "viewport.width: is said by another column too"},
       {R"([{"x": 1, "y": 2, "z": 3, "target.x": 0, "target.y": 0, "target.z": 0, "fov": 60}])", "fovX or fovY"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "map1": [[1, 2], [3, 4]]})", "map1"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "D": [0.1, 0.2, 0.3, 0.4], "w": 100, "h": 50})",
