@@ -17,9 +17,12 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr const char* kCameras = "cameras";
+constexpr std::size_t kMostNames = 8;  // in messages
 
-/// Members that say nothing of a camera; --read-as states a convention.
-bool isBeside(std::string_view name) { return name == "name" || name == "$schema" || name == "convention"; }
+/// Members that say nothing of a camera, or that many kinds of files have; --read-as states a convention.
+bool isBeside(std::string_view name) {
+  return name == "name" || name == "$schema" || name == "convention" || name == "distortion";
+}
 
 /// Whether the object has a member of ours at its top, but those that many kinds of files have.
 bool hasOurMember(const Json& object) {
@@ -149,11 +152,10 @@ std::string CameraSet::pickOf(std::size_t which) const {
   return (areNumbered_ ? "#" : "") + number;
 }
 
-std::string CameraSet::someOf(const std::vector<std::size_t>& cameras) const {
-  constexpr std::size_t kMost = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) text += (i == 0 ? "#" : ", #") + pickOf(cameras[i]);
-  return cameras.size() <= kMost ? text : text + " and " + std::to_string(cameras.size() - kMost) + " more";
+std::string CameraSet::picksOf(const std::vector<std::size_t>& cameras) const {
+  std::vector<std::string> picks;
+  for (const std::size_t camera : cameras) picks.push_back("#" + (picks.size() < kMostNames ? pickOf(camera) : ""));
+  return someOf(picks, kMostNames);
 }
 
 std::vector<std::size_t> CameraSet::called(std::string_view text) const {
@@ -179,17 +181,17 @@ std::vector<std::size_t> CameraSet::all() const {
   return all;
 }
 
-std::size_t CameraSet::choose(const std::optional<std::string>& pick) const {
+std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std::string& otherwise) const {
   if (!pick) {
     if (size() == 1) return 0;
     throw InputError(name_ + ": holds " + std::to_string(size()) + " " + import_.noun +
-                     "s; pick one after the file's name: " + someOf(all()));
+                     "s; pick one after the file's name: " + picksOf(all()) + otherwise);
   }
   const std::vector<std::size_t> found = called(*pick);
   if (found.size() == 1) return found.front();
   if (!found.empty())
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
-                     inQuotes(*pick) + "; pick one by its number: " + someOf(found));
+                     inQuotes(*pick) + "; pick one by its number: " + picksOf(found));
   failPick(*pick);
 }
 
@@ -207,8 +209,25 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
 
 void CameraSet::failPick(const std::string& pick) const {
   const std::string others = otherWorlds();
-  throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + someOf(all()) +
+  throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + picksOf(all()) +
                    (others.empty() ? "" : ", and the same in other worlds, " + others));
+}
+
+std::vector<std::string> CameraSet::notes(bool isPicked) const {
+  std::vector<std::string> notes;
+  const bool statesAxes =
+      !patches_.readAs.empty() || std::any_of(patches_.patches.begin(), patches_.patches.end(), [](const Patch& patch) {
+        return patch.path == "cameraAxes" || patch.path.starts_with("convention");
+      });
+  if (import_.hasUnclearAxes && !statesAxes)
+    notes.push_back(name_ +
+                    ": rotations are read with axes RUB: right, up, back; --set cameraAxes=RDF if the camera looks "
+                    "along its z");
+  if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !isPicked) {
+    const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
+    notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
+  }
+  return notes;
 }
 
 std::string CameraSet::otherWorlds() const {

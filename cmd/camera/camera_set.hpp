@@ -38,7 +38,9 @@ struct Import {
   std::string noun = "camera";  ///< in messages about picks
   /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
   std::vector<std::string> worlds = {};
-  bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
+  bool mayLackPose = false;                   ///< the file may give none; its cameras then stand at the origin
+  bool hasUnclearAxes = false;                ///< it has turns in our axes, and may mean those of others
+  std::vector<std::string> withoutPose = {};  ///< entries of the file that are left out, by name
 
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
     cameras.push_back({std::move(cameraName), std::move(id), std::move(document), std::move(own)});
@@ -87,7 +89,8 @@ class CameraSet {
   /// The shortest text after # that picks only this camera.
   std::string pickOf(std::size_t which) const;
   /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
-  std::size_t choose(const std::optional<std::string>& pick) const;
+  /// otherwise: what else to do where there are several.
+  std::size_t choose(const std::optional<std::string>& pick, const std::string& otherwise = "") const;
   /// All cameras without a pick; those that match a pick with a * in it, or stand in the world or folder that it names;
   /// else the one that choose() finds.
   std::vector<std::size_t> chooseAll(const std::optional<std::string>& pick) const;
@@ -98,6 +101,8 @@ class CameraSet {
   Document document(std::size_t which) const;
   /// What the file's format has not read of the camera; empty if there is nothing to say.
   std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
+  /// What is to be said of the file, once. isPicked: a pick chooses among its cameras.
+  std::vector<std::string> notes(bool isPicked) const;
   /// See Import.
   const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
   /// "#velodyne/*, #imu/*"; or empty.
@@ -108,7 +113,7 @@ class CameraSet {
   std::vector<std::size_t> all() const;
   /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
-  std::string someOf(const std::vector<std::size_t>& cameras) const;
+  std::string picksOf(const std::vector<std::size_t>& cameras) const;
   [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;

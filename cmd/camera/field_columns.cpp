@@ -10,10 +10,8 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Paths, and the other names of each.
-constexpr std::string_view kShort[][2] = {{"position", "eye"},
-                                          {"target", "lookAt"},
-                                          {"position.x", "x"},
+/// Paths, and the other names of each, by their letters and digits.
+constexpr std::string_view kShort[][2] = {{"position.x", "x"},
                                           {"position.y", "y"},
                                           {"position.z", "z"},
                                           {"position.lat", "lat latitude"},
@@ -22,17 +20,18 @@ constexpr std::string_view kShort[][2] = {{"position", "eye"},
                                           {"rotation.y", "qy"},
                                           {"rotation.z", "qz"},
                                           {"rotation.w", "qw"},
-                                          {"heading", "yaw"}};
+                                          {"heading", "yaw"},
+                                          {"projection.fx", "flx focalx"},
+                                          {"projection.fy", "fly focaly"},
+                                          {"projection.cx", "ppx u0 principalpointx"},
+                                          {"projection.cy", "ppy v0 principalpointy"}};
 /// Names that may be of something else: only their whole path is a camera's.
-constexpr std::string_view kAmbiguous = "name $schema type left right bottom top width height matrix pixels origin";
+constexpr std::string_view kAmbiguous = "name schema type left right bottom top width height matrix pixels origin";
 
-/// The one of these words that is the name in any letter case; or nothing.
-std::string_view wordFor(std::string_view name, std::string_view words) {
-  for (const std::string_view word : wordsIn(words))
-    if (sameButForCase(word, name)) return word;
-  return "";
+bool isOneOf(const std::string& letters, std::string_view words) {
+  const std::vector<std::string_view> all = wordsIn(words);
+  return std::find(all.begin(), all.end(), letters) != all.end();
 }
-bool isOneOf(std::string_view name, std::string_view words) { return !wordFor(name, words).empty(); }
 
 }  // namespace
 
@@ -42,28 +41,27 @@ bool isSeaLevelName(std::string_view name) {
 }
 
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {
+  const std::string letters = lettersOf(column);
+  const auto isCalled = [&](std::string_view name) { return !name.empty() && lettersOf(name) == letters; };
   for (const auto& [path, names] : kShort)
-    if (isOneOf(column, names)) return std::string(path);
+    if (isOneOf(letters, names)) return std::string(path);
   const bool isSeaLevel = isSeaLevelName(column);
-  if (isSeaLevel || isOneOf(column, "height"))
+  if (isSeaLevel || letters == "height")
     return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
-  if (isOneOf(column, kAmbiguous)) return "";
-  if (const auto object = wordFor(column, "projection viewport convention"); !object.empty())
-    return std::string(object);
+  if (isOneOf(letters, kAmbiguous)) return "";
+  if (isOneOf(letters, "projection viewport convention")) return letters;
   for (const Field& field : kFields)
-    if (sameButForCase(column, field.path)) return std::string(field.path);
+    if (isCalled(field.path) || isCalled(field.alias)) return std::string(field.path);
   for (const Field& field : kFields)
-    if ((field.types != 0 || topName(field) == "viewport") &&
-        sameButForCase(column, field.path.substr(field.path.rfind('.') + 1)))
+    if ((field.types != 0 || topName(field) == "viewport") && isCalled(field.path.substr(field.path.rfind('.') + 1)))
       return std::string(field.path);
   // A member of a field's value.
-  const std::size_t dot = column.rfind('.');
-  if (dot == std::string_view::npos) return "";
   for (const Field& field : kFields) {
     const std::string members = "x y z w " + std::string(rowOf(field.kind).members);
-    const std::string_view member = wordFor(column.substr(dot + 1), members);
-    if (!member.empty() && sameButForCase(column.substr(0, dot), field.path))
-      return std::string(field.path) + "." + std::string(member);
+    for (const std::string_view member : wordsIn(members))
+      for (const std::string_view name : {field.path, field.alias})
+        if (!name.empty() && isCalled(std::string(name) + std::string(member)))
+          return std::string(field.path) + "." + std::string(member);
   }
   return "";
 }

@@ -11,8 +11,8 @@ inline constexpr std::string_view kSeaLevelNames[] = {"alt", "altitude", "elevat
 bool isSeaLevelName(std::string_view name);
 
 /// Where the value of a column stands in a camera document: its path, or one that has a short name, such as x, lat, qx,
-/// yaw or fovX. Empty: it is no field of a camera. isOnEarth: another column is a latitude, so that a height is the
-/// position's.
+/// yaw or fovX. Letters and digits count alone, in any case. Empty: it is no field of a camera. isOnEarth: another
+/// column is a latitude, so that a height is the position's.
 std::string pathOfColumn(std::string_view column, bool isOnEarth);
 
 }  // namespace viewproj::cmd

@@ -91,6 +91,7 @@ Quaternion readQuaternion(const Node& value) {
 EulerTurns readEuler(const Node& value) {
   if (!value.json().is_object()) value.fail("expected {\"order\", \"degrees\"}, as an option YXZ:30,20,0");
   allowMembers(value, wordsIn(rowOf(Kind::euler).members));
+  if (!value.find("order")) value.fail("needs order, such as YXZ, rpy or opk; --set euler.order=YXZ gives it");
   const Node order = value.require("order"), degrees = value.require("degrees");
   const auto* const row = rowNamed(kEulerOrders, order.text());
   if (!row) order.fail("expected three axes, such as YXZ, or one of rpy, unity, unreal, opk");

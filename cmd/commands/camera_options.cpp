@@ -54,7 +54,7 @@ void CameraOptions::add(CLI::App& app) {
   addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
            "Camera file, or its JSON; #NAME picks one of several");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
-  addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, size=w+h, fovX=a'");
+  addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, ...' (help parts)");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
             "FILE[#N], 'x,y,z rpy:0,0,9', base first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
@@ -193,7 +193,9 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   const CameraSource source = splitPick(*name);
   opening.pick = source.pick;
   try {
-    return {openCameras(source.file, opening, all), source.pick};
+    auto cameras = openCameras(source.file, opening, all);
+    for (const std::string& each : cameras->notes(source.pick.has_value())) note(each);
+    return {std::move(cameras), source.pick};
   } catch (const UnknownFormat& unknown) {
     if (parts_ || (showsMatrices_ && !changesCamera())) throw;
     const auto matrices = cameraOfMatrices(unknown, shownName(source.file), readAs());

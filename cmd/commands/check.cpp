@@ -91,7 +91,8 @@ int runCheck(const CheckOptions& o) {
   o.stream.reads(setup);
   const auto set = o.camera.readAll();
   const CameraSet& cameras = *set.first;
-  const CameraFile file = o.camera.readOne(cameras, o.cameraBy ? 0 : cameras.choose(set.second));
+  const std::string forSeveral = "; --camera-by FIELD names each pair's (convert --to observations writes such pairs)";
+  const CameraFile file = o.camera.readOne(cameras, o.cameraBy ? 0 : cameras.choose(set.second, forSeveral));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   mistakes::PairReport all = o.cameraBy ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);

@@ -185,9 +185,9 @@ OrderedJson infoReport(const CameraFile& file, const std::string& name, std::spa
   return info;
 }
 
-/// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
-/// InputError, and CameraError naming a field of the pose.
-OrderedJson cameraRow(const std::string& name, const Document& document, bool mayLackPose,
+/// A row of a list of cameras. The document is normalized. What its projection lacks, such as the size of a picture, is
+/// told where the camera is used. Throws InputError, and CameraError naming a field of the pose.
+OrderedJson cameraRow(const std::string& name, const Document& document, bool mayLackPose, const ReadOptions& reading,
                       const NameRow<EulerOrder>* angles) {
   const FieldValues values = readValues(document);
   const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
@@ -199,10 +199,30 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
     size = {width, valueOr("viewport.height", nullptr)};
   const DocumentConvention convention = readConvention(values);
   const std::optional<Pose> pose = readPose(values, convention);
-  OrderedJson row{{"name", name},
-                  {"type", valueOr("projection.type", nullptr)},
-                  {"size", size},
-                  {"pose", pose.has_value() && !(mayLackPose && !hasPose(*document.root))}};
+  OrderedJson row{{"name", name},    {"type", valueOr("projection.type", nullptr)},
+                  {"size", size},    {"distortion", valueOr("distortion.model", nullptr)},
+                  {"fovX", nullptr}, {"fovY", nullptr}};
+  for (const char* number : {"fx", "fy", "cx", "cy"})
+    row[number] = valueOr((std::string("projection.") + number).c_str(), nullptr);
+  const bool hasItsPose = pose.has_value() && !(mayLackPose && !hasPose(*document.root));
+  OrderedJson eye{{"eye", hasItsPose ? asJson(pose->eye()) : OrderedJson()}};
+  try {
+    const CameraFile file = readCamera(copied(document), reading);
+    if (const std::optional<Camera> camera = standIn(file)) {
+      row["fovX"] = camera->projection().fov(Fov::horizontal);
+      row["fovY"] = camera->projection().fov(Fov::vertical);
+      const Intrinsics k = camera->intrinsics();
+      if (file.viewport) row.update({{"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}});
+    }
+    if (file.worldIsEcef && hasItsPose) {
+      const Geodetic place = ecefToGeodetic(pose->eye());
+      eye = {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}}};
+    }
+  } catch (const InputError&) {
+  } catch (const CameraError&) {
+  }
+  row.update(eye);
+  row["pose"] = hasItsPose;
   if (angles) row["angles"] = anglesOf(*angles, values, *convention.preset, pose);
   return row;
 }
@@ -258,7 +278,7 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
   for (const std::size_t i : cameras.chooseAll(pick)) {
     const std::string name = cameras.pickOf(i);
     try {
-      rows.push_back(cameraRow(name, cameras.document(i), cameras.mayLackPose(), o.angles));
+      rows.push_back(cameraRow(name, cameras.document(i), cameras.mayLackPose(), o.camera.reading(false), o.angles));
     } catch (const CameraError& e) {
       tell(name + ": " + e.what());
     } catch (const InputError& e) {
@@ -332,10 +352,15 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
   const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height.isTyped();
-  if (isForCamera && proposal.lines.empty() && !unknown.file.fault.empty()) throw InputError(unknown.file.fault);
-  if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
-    return writeProposal(o, proposal);
-  const bool isFaulty = !unknown.file.fault.empty(), isNothing = proposal.lines.empty() && unknown.file.isPlainText;
+  const bool hasCamera = std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera);
+  const bool isFaulty = !unknown.file.fault.empty();
+  if (isForCamera && proposal.lines.empty() && isFaulty) throw InputError(unknown.file.fault);
+  if (hasCamera && unknown.isOurs) complain(unknown.what());
+  if (hasCamera || (isForCamera && !unknown.isOurs)) return writeProposal(o, proposal);
+  if (unknown.isOurs) throw InputError(unknown.what());
+  const bool areNamed = std::any_of(proposal.numbers.begin(), proposal.numbers.end(),
+                                    [](const std::string& path) { return !path.starts_with('#'); });
+  const bool isNothing = proposal.lines.empty() && (isFaulty || !areNamed) && unknown.file.isPlainText;
   if (!isNothing && (unknown.text.empty() || findMatrices(unknown.text).matrices.empty()))
     return writeProposal(o, proposal);
   return runMatrices(

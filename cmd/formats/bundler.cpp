@@ -56,6 +56,8 @@ Import open(const Node& root) {
   for (std::size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i][0] != 0)
       result.add(std::to_string(i), "", [block, camera = cameras[i]] { return documentOf(block, camera); });
+    else
+      result.withoutPose.push_back(std::to_string(i));
   return result;
 }
 

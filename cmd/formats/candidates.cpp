@@ -24,7 +24,7 @@ constexpr std::string_view
     kOfS = "size resolution res dimension dimensions shape wh hw image",
     kOfR = "r rot rotation rotate rmat rotmat camrot",
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
-    kOfQ = "q quat quaternion quaternions orientation rotation qvec rot",
+    kOfQ = "q quat quaternion quaternions orientation rotation qvec rot wxyz xyzw qwxyz qxyzw",
     kOfT = "t tvec tvecs trans translation translations translate tc",
     kOfE = "position pos campos center centre eye origin location loc",
     kOfX =
@@ -35,7 +35,8 @@ constexpr std::string_view
 constexpr std::string_view kBoxes =
     "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
-    "frames calibrated perspective cv mode projection transform the of to from image images img p w h fx fy cx cy f "
+    "frames world calibrated perspective cv mode projection transform the of to from image images img p w h fx fy cx "
+    "cy f "
     "focal princpt "
     "fov "
     "width height vec";
@@ -48,7 +49,7 @@ constexpr ScalarNames kScalars[] = {
     {"fy", "fy fypixels fypixel fly focaly fv focallengthy focallengthypx fypx camerafy fpy"},
     {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x mx"},
     {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y my"},
-    {"f", "f focal focallength focallengthpx focalpx fpix"},
+    {"f", "f focal focallength focallengthpx focalpx fpix fpixels"},
     {"w",
      "width sensorwidthpixels widthpixels w rwidth imagewidth imgwidth cols wpx renderwidth framewidth nx imagesizex "
      "xresolution resolutionx integerxresolution camerawidth resx sizex"},
@@ -63,12 +64,26 @@ constexpr ScalarNames kScalars[] = {
     {"gy", "py mv gamma2"}};
 /// Those that are called as the kind is.
 constexpr std::string_view kPlainScalars =
-    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33";
+    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33 rx ry rz pitch roll yaw "
+    "heading";
 
 std::string_view scalarOf(std::string_view letters) {
   for (const auto& [kind, names] : kScalars)
     if (isAmong(letters, names)) return kind;
   return isAmong(letters, kPlainScalars) ? letters : "";
+}
+
+/// "tx" of tx_m: metres and pixels are what is meant without a unit.
+std::string_view withoutUnit(std::string_view name) {
+  for (const std::string_view unit : {"_m", "_px"})
+    if (name.size() > unit.size() + 1 && name.ends_with(unit)) return name.substr(0, name.size() - unit.size());
+  return name;
+}
+
+/// An angle of view by a word of its name: fovX, fovY, or fov where no other word says which.
+std::string_view angleOf(std::string_view name) {
+  if (!hasWord(name, "fov")) return "";
+  return hasWord(name, "y v vert vertical") ? "fovY" : hasWord(name, "x h horiz horizontal") ? "fovX" : "fov";
 }
 
 /// A focal length, a centre or a size that is the first or the last of a name's words, and which of them.
@@ -127,7 +142,8 @@ constexpr Look kLooks[] = {{"K", "9", isK, kOfK, 1, Look::numbers, "", "", false
                            {"T", "3", isAny, kOfT},
                            {"E", "3", isAny, kOfE},
                            {"direction", "3", isAny, "direction dir forward lookdir"},
-                           {"target", "3", isAny, "target lookat look"},
+                           {"target", "3", isAny, "target lookat look looks"},
+                           {"up", "3", isAny, "up vup upvector headup viewup camup cameraup"},
                            {"Q", "4", isUnit, kOfQ},
                            {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
                            {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "", false},
@@ -186,7 +202,7 @@ class Finder {
     if (!numbers || numbers->empty() || numbers->size() > kMost) return;
     const std::vector<double>& n = *numbers;
     if (!areAll(n, [](double number) { return std::isfinite(number); })) return;
-    const std::string letters = lettersOf(key);
+    const std::string letters = lettersOf(withoutUnit(key));
     if (n.size() == 1) {
       const std::string_view bare = std::string_view(letters).substr(0, letters.find_last_not_of("0123456789") + 1);
       if (const std::string_view kind = scalarOf(letters); !kind.empty())
@@ -195,6 +211,8 @@ class Finder {
         add(std::string(other), steps, n, 1);
       else if (const std::string_view beside = scalarAmong(wordsOf(key)).first; !beside.empty())
         add(std::string(beside), steps, n, 1);
+      else if (const std::string_view angle = angleOf(key); !angle.empty())
+        add(std::string(angle), steps, n, 1);
       return;
     }
     const double noise = hasWord(key, kNoise) ? -3 : 0;
@@ -210,7 +228,7 @@ class Finder {
         continue;
       isMatrix = isMatrix || isWhole;
       const bool isNamed = isOf || (isAlso && isWhole);
-      const bool isPlain = look.needs == Look::letters || isAmong(look.kind, "direction target");
+      const bool isPlain = look.needs == Look::letters || isAmong(look.kind, "direction target up");
       add(std::string(look.kind), steps, look.kind == "K" && !look.suffix.empty() ? transposed(n, 3) : n,
           look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
       found_.back()->isOrdered = value.is_object();
@@ -317,7 +335,9 @@ class Finder {
         }
     }
     for (const auto& [key, group] : groups) {
-      if (group.candidate->star.size() < 2) continue;
+      // A table may have one row.
+      const bool isRow = file_.root->is_array() && group.candidate->at == 0;
+      if (group.candidate->star.size() < 2 && !isRow) continue;
       std::vector<std::string> box(group.candidate->steps.begin(),
                                    group.candidate->steps.begin() + static_cast<std::ptrdiff_t>(group.candidate->at));
       // K=* wants nothing else there.

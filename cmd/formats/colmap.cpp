@@ -91,7 +91,8 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const WrittenCamera& camera = cameras[i];
-    const std::string& name = camera.label();
+    // COLMAP looks for the picture below its folder by this very text.
+    const std::string name = camera.label().starts_with("./") ? camera.label().substr(2) : camera.label();
     if (name.find_first_of(" \t\r\n") != std::string::npos)
       throw InputError(camera.file.name + ": COLMAP ends a name at its first blank, and this one is " + inQuotes(name));
     if (!names.insert(name).second)

@@ -10,6 +10,7 @@
 #include "formats/candidates.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -46,7 +47,8 @@ std::optional<double> nearness(const Candidate& first, const Candidate& part) {
   if (first.isStarred() && part.isStarred()) {
     const auto shared = std::count_if(first.star.begin(), first.star.end(),
                                       [&](const auto& each) { return part.star.contains(each.first); });
-    if (shared < 2 || 2 * shared < std::ssize(first.star)) return std::nullopt;
+    if (shared < std::min<std::ptrdiff_t>(2, std::ssize(first.star)) || 2 * shared < std::ssize(first.star))
+      return std::nullopt;
     score += shared == std::ssize(first.star) ? 4 : 2;
   } else if (first.isStarred()) {
     const auto box = first.steps.begin() + static_cast<std::ptrdiff_t>(first.at);
@@ -148,7 +150,8 @@ constexpr std::string_view
     kToWorld =
         "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
         "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
-        "cam_to_base cam_to_lidar cam_to_velo cam_to_vehicle camera_to_lidar matrix_world cameraextrinsicmat",
+        "camtoworld cameratoworld cam_to_base cam_to_lidar cam_to_velo cam_to_vehicle camera_to_lidar matrix_world "
+        "cameraextrinsicmat",
     kToCamera =
         "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
@@ -225,25 +228,26 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
 
 void putPose(Line& line, const Match& match, const Candidate* lens) {
   const Chosen& turn = match.parts.front();
+  const Chosen& place = match.parts.back();
+  const bool isOpenCv = place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
   std::string direction = directionOf(*turn, lens);
   line.isNerf = hasPart(lowered(turn->path()), kOfNerf);
   if (match.parts.size() > 1) {
-    const Chosen& place = match.parts.back();
-    const bool isOpenCv =
-        place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
     if (direction.empty() && isOpenCv) {
       direction = "cameraFromWorld";
       line.ask.push_back(turn->path() + ", " + place->path() +
                          ": taken as camera from world, as solvePnP and calibrateCamera return them");
     }
+    const bool isList = turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered;
+    const std::string_view order = quaternionOrderOf(turn->path());
     const bool isWFirst =
-        turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered && std::fabs(turn->numbers.front()) > 0.9;
+        isList && (order == "wxyz" ||
+                   (order.empty() && (hasWord(turn->path(), "qvec") || std::fabs(turn->numbers.front()) > 0.9)));
     const std::string form = turn->kind == "R"   ? "rotation"
                              : turn->kind == "V" ? "rotationVector"
                              : isWFirst          ? "quaternionWFirst"
                                                  : "quaternion";
-    if (turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered)
-      line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
+    if (isList && order.empty()) line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
     const std::string pose = direction.empty() ? "pose" : direction;
     line.add(pose + "." + form, {turn}, match.score / 2);
     line.add(place->kind == "T" ? pose + ".translation" : "position", {place}, match.score / 2);
@@ -254,6 +258,9 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
     line.ask.push_back(
         turn->path() +
         ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
+  const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
+  if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
+    line.ask.push_back(turn->path() + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
 }
 
 std::optional<std::array<double, 2>> centreOf(const Line& line) {
@@ -330,6 +337,11 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
   if (!k.empty()) {
     line.add("fisheye", k, score);
     if (!isFish) line.ask.push_back("k1 to k4 without p1, p2: fisheye, or brown?");
+    return;
+  }
+  if (named->contains("k2") && named->contains("k3")) {
+    line.add("distortion", together(*named, {"k1", "k2"}), score / 2, "+0+0+" + named->find("k3")->second->path());
+    line.used.push_back(named->find("k3")->second);
     return;
   }
   k = together(*named, {"k1", "k2"});
@@ -453,8 +465,9 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
         if (const auto aim = eye ? bestOf(*line.first, all, kind) : std::nullopt) {
           line.add("position", eye->parts, eye->score);
           line.add(kind, aim->parts, aim->score);
-          line.add("up", {}, 0, "0+0+1");
-          line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
+          const auto up = bestOf(*line.first, all, "up");
+          line.add("up", up ? up->parts : std::vector<Chosen>{}, 0, up ? "" : "0+0+1");
+          if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
           break;
         }
     }
@@ -491,30 +504,26 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
   return kept;
 }
 
-void addBlocks(const Json& value, const std::string& path, std::vector<std::string>& blocks) {
-  constexpr std::size_t kLeast = 9, kMost = 50;
-  const auto numbers = value.is_array() ? numbersIn(value) : std::nullopt;
-  if (numbers && numbers->size() >= kLeast) {
-    blocks.push_back(path + " (" + std::to_string(numbers->size()) + " numbers)");
-    return;
+/// Paths with their numbers, or how many they are.
+std::vector<std::string> shownNumbers(const Document& file) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> shown = pathsOfNumbers(*file.root);
+  for (std::string& path : shown) {
+    const auto node = valueAt(Node(file), withStar(path, "0"));
+    const std::vector<double> numbers =
+        node ? numbersIn(node->json()).value_or(std::vector<double>{}) : std::vector<double>{};
+    path += ":";
+    for (const double number : numbers)
+      if (numbers.size() <= kMost) path += " " + formatDigits(number, 6);
+    if (numbers.size() > kMost) path += " " + std::to_string(numbers.size()) + " numbers";
   }
-  if (!value.is_object()) return;
-  std::size_t items = 0;
-  for (const auto& [key, member] : value.items())
-    if (++items <= kMost && blocks.size() < kMost) addBlocks(member, joinedPath(path, key), blocks);
+  return shown;
 }
 
 /// A path without what is done to its numbers.
 std::string bareOf(const Candidate& candidate) {
   const std::string path = candidate.path();
   return path.substr(0, path.size() - (candidate.terms.empty() ? candidate.suffix.size() : 0));
-}
-
-/// Some of a list, and how many more there are.
-std::string someOf(const std::vector<std::string>& list, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(list.size(), most); ++i) text += (i > 0 ? ", " : "") + list[i];
-  return list.size() <= most ? text : text + " and " + std::to_string(list.size() - most) + " more";
 }
 
 std::string shownLine(const ProposedLine& line) {
@@ -544,28 +553,29 @@ Proposal proposeParts(const Document& file) {
     for (const Chosen& each : line.used) {
       used.insert(bareOf(*each));
       for (const auto& [star, one] : each->star) used.insert(bareOf(*one));
-      for (const Chosen& term : each->terms) used.insert(bareOf(*term));
+      for (const Chosen& term : each->terms) {
+        used.insert(bareOf(*term));
+        for (const auto& [star, one] : term->star) used.insert(bareOf(*one));
+      }
     }
   }
-  // Numbers of no kind are left out beside the parts that are used, and above them.
-  const auto isBesideUsed = [&](const Candidate& candidate) {
-    const std::string path = candidate.path(),
-                      box = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.') + 1);
-    return std::none_of(used.begin(), used.end(),
-                        [&](const std::string& each) { return each.starts_with(path + "."); }) &&
-           std::any_of(used.begin(), used.end(), [&](const std::string& each) { return each.starts_with(box); });
+  const auto isUsedBelow = [&](const std::string& front) {
+    const auto first = used.lower_bound(front);
+    return first != used.end() && first->starts_with(front);
   };
   for (const Chosen& each : all) {
-    const bool isKind =
-        isAmong(each->kind, "K P X R V Q T E D S F C direction target") || (each->kind == "?" && isBesideUsed(*each));
-    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() && isKind &&
-                        !used.contains(bareOf(*each)) &&
+    const std::string path = each->path(), box = path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.') + 1);
+    // Numbers of no kind and single ones are left out beside the parts that are used, and above them.
+    const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up"),
+               isBeside = isAmong(each->kind, "? x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading");
+    const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() &&
+                        (isKind || (isBeside && isUsedBelow(box))) && !used.contains(bareOf(*each)) &&
+                        !isUsedBelow(path + ".") &&
                         std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
-    const std::string path = each->path();
     if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
       proposal.leftOut.push_back(path);
   }
-  if (lines.empty()) addBlocks(*file.root, "", proposal.blocks);
+  if (lines.empty()) proposal.numbers = shownNumbers(file);
   return proposal;
 }
 
@@ -580,8 +590,15 @@ std::string textOf(const Proposal& proposal) {
   if (proposal.lines.size() > kMostLines)
     text += "and " + std::to_string(proposal.lines.size() - kMostLines) + " more lines like these\n";
   if (!proposal.leftOut.empty()) text += "left out: " + someOf(proposal.leftOut, kMostPaths) + "\n";
-  if (text.empty() && !proposal.blocks.empty()) text = "blocks of numbers: " + someOf(proposal.blocks, 6) + "\n";
-  return text.empty() ? "nothing in it looks like a camera\n" : text;
+  if (!text.empty()) return text;
+  constexpr std::size_t kMostNumbers = 12;
+  text = "nothing in it looks like a camera";
+  if (!proposal.numbers.empty()) text += "; its numbers, for a line of parts (viewproj help parts):";
+  for (std::size_t i = 0; i < std::min(proposal.numbers.size(), kMostNumbers); ++i)
+    text += "\n  " + proposal.numbers[i];
+  if (proposal.numbers.size() > kMostNumbers)
+    text += "\n  and " + std::to_string(proposal.numbers.size() - kMostNumbers) + " more";
+  return text + "\n";
 }
 
 Json jsonOf(const Proposal& proposal) {

@@ -19,12 +19,12 @@ struct ProposedLine {
 struct Proposal {
   std::vector<ProposedLine> lines;   ///< the likeliest first
   std::vector<std::string> leftOut;  ///< paths of what looks like a part and is in no line
-  std::vector<std::string> blocks;   ///< if there is nothing else: numbers that a person can take slices of
+  std::vector<std::string> numbers;  ///< if there is nothing else: paths that a person may use, with their numbers
 };
 
 Proposal proposeParts(const Document& file);
 
-/// At most twelve lines of text.
+/// At most fourteen lines of text.
 std::string textOf(const Proposal& proposal);
 /// {"parts": [{"line", "set", "decide", "cameras"}], "leftOut": [...]}
 Json jsonOf(const Proposal& proposal);

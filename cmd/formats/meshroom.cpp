@@ -84,21 +84,24 @@ Import open(const Node& root) {
                                     poses = byId(root, "poses", "poseId");
   Import result;
   for (const Node& view : itemsAt(root, "views")) {
+    const std::string path = textAt(view, "path"), id = textAt(view, "viewId");
+    const std::string name = path.empty() ? id : path.substr(path.find_last_of("/\\") + 1);
     const auto pose = poses.find(textAt(view, "poseId"));
-    if (pose == poses.end()) continue;
+    if (pose == poses.end()) {
+      result.withoutPose.push_back(name);
+      continue;
+    }
     const auto intrinsic = intrinsics.find(textAt(view, "intrinsicId"));
     const std::optional<Node> lens = intrinsic == intrinsics.end() ? std::nullopt : std::optional(intrinsic->second);
-    const std::string path = textAt(view, "path"), id = textAt(view, "viewId");
-    result.add(path.empty() ? id : path.substr(path.find_last_of("/\\") + 1), id,
-               [view, lens, pose = pose->second, version] {
-                 if (!lens) view.fail("is of an intrinsic that is not in the file");
-                 Json camera = cameraOf(*lens, version);
-                 const Node transform = pose.require("pose").require("transform");
-                 const std::vector<double> r = transposed(numbersOf(transform.require("rotation"), 9), 3);
-                 setPose(camera, "cameraFromWorld", {{"rotation", rowsOf(r, 3)}, {"translation", {0, 0, 0}}});
-                 camera["position"] = numbersOf(transform.require("center"), 3);
-                 return camera;
-               });
+    result.add(name, id, [view, lens, pose = pose->second, version] {
+      if (!lens) view.fail("is of an intrinsic that is not in the file");
+      Json camera = cameraOf(*lens, version);
+      const Node transform = pose.require("pose").require("transform");
+      const std::vector<double> r = transposed(numbersOf(transform.require("rotation"), 9), 3);
+      setPose(camera, "cameraFromWorld", {{"rotation", rowsOf(r, 3)}, {"translation", {0, 0, 0}}});
+      camera["position"] = numbersOf(transform.require("center"), 3);
+      return camera;
+    });
   }
   return result;
 }

@@ -10,31 +10,15 @@
 namespace viewproj::cmd {
 namespace metashape {
 
-/// The text of an element, which may have attributes.
-std::optional<Node> contentOf(const Node& node, std::string_view name) {
-  const auto child = node.json().is_object() ? node.find(name) : std::nullopt;
-  return child && child->json().is_object() ? child->find("#text") : child;
-}
-
-std::string textOf(const Node& node, std::string_view name) {
-  const auto child = contentOf(node, name);
-  return child && child->json().is_string() ? child->text() : "";
-}
-
-double numberOf(const Node& node, std::string_view name, double otherwise = 0) {
-  const auto child = contentOf(node, name);
-  return child ? cmd::numberOf(*child) : otherwise;
-}
-
 Json cameraOf(const Node& calibration, const std::string& type, double width, double height) {
-  const auto number = [&](std::string_view name) { return numberOf(calibration, name); };
+  const auto number = [&](std::string_view name) { return numberAt(calibration, name); };
   const auto refuseUnlessZero = [&](std::string_view names, const char* why) {
     for (const std::string_view name : wordsIn(names))
-      if (number(name) != 0) contentOf(calibration, name)->fail(why);
+      if (number(name) != 0) calibration.find(name)->fail(why);
   };
   if (!isAmong(type, "frame fisheye"))
     calibration.fail("is of a lens of the type " + type + ", which is not supported");
-  if (!contentOf(calibration, "f")) calibration.fail("needs f");
+  if (!calibration.find("f")) calibration.fail("needs f");
   refuseUnlessZero("b2", "is a skew; pixels of a skewed grid are not supported");
   refuseUnlessZero("p3 p4", "is not supported");
   Json camera = pinholeCamera(
@@ -55,21 +39,21 @@ Json sensorCamera(const Node& sensor) {
   const std::vector<Node> calibrations = itemsAt(sensor, "calibration");
   if (sensor.find("@master_id")) sensor.fail("is a slave of a rig, which is not supported");
   const auto adjusted = std::find_if(calibrations.begin(), calibrations.end(),
-                                     [](const Node& each) { return textOf(each, "@class") == "adjusted"; });
+                                     [](const Node& each) { return textAt(each, "@class") == "adjusted"; });
   if (calibrations.empty()) sensor.fail("needs a calibration");
   const Node& calibration = adjusted != calibrations.end() ? *adjusted : calibrations.front();
   const Node size = sensor.require("resolution");
-  const std::string type = textOf(sensor, "@type");
-  return cameraOf(calibration, type.empty() ? "frame" : type, cmd::numberOf(size.require("@width")),
-                  cmd::numberOf(size.require("@height")));
+  const std::string type = textAt(sensor, "@type");
+  return cameraOf(calibration, type.empty() ? "frame" : type, numberOf(size.require("@width")),
+                  numberOf(size.require("@height")));
 }
 
 /// The camera in the chunk's world, which may be turned, scaled and moved into a coordinate system.
 Json poseOf(const Node& camera, const std::optional<Node>& transform) {
-  std::vector<double> pose = numbersOf(*contentOf(camera, "transform"), 16);
+  std::vector<double> pose = numbersOf(camera.require("transform"), 16);
   if (!transform) return rowsOf(pose, 4);
-  const auto r = contentOf(*transform, "rotation"), t = contentOf(*transform, "translation");
-  const double scale = numberOf(*transform, "scale", 1);
+  const auto r = transform->find("rotation"), t = transform->find("translation");
+  const double scale = numberAt(*transform, "scale", 1);
   for (const std::size_t i : {3u, 7u, 11u}) pose[i] *= scale;
   return Json::array({{{"rotation", rowsOf(r ? numbersOf(*r, 9) : std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}, 3)},
                        {"translation", t ? numbersOf(*t, 3) : std::vector<double>{0, 0, 0}}},
@@ -80,27 +64,30 @@ Json poseOf(const Node& camera, const std::optional<Node>& transform) {
 std::optional<Node> withId(const Node& chunk, std::string_view list, std::string_view item, const std::string& id) {
   const auto all = chunk.find(list);
   for (const Node& node : all ? itemsAt(*all, item) : std::vector<Node>{})
-    if (textOf(node, "@id") == id) return node;
+    if (textAt(node, "@id") == id) return node;
   return std::nullopt;
 }
 
 Json placedCamera(const Node& chunk, const Node& camera) {
-  const auto sensor = withId(chunk, "sensors", "sensor", textOf(camera, "@sensor_id"));
+  const auto sensor = withId(chunk, "sensors", "sensor", textAt(camera, "@sensor_id"));
   if (!sensor) camera.fail("is of a sensor that is not in the file");
   Json placed = sensorCamera(*sensor);
-  const auto component = withId(chunk, "components", "component", textOf(camera, "@component_id"));
+  const auto component = withId(chunk, "components", "component", textAt(camera, "@component_id"));
   auto transform = component && component->json().is_object() ? component->find("transform") : std::nullopt;
   if (!transform) transform = chunk.find("transform");
   setPose(placed, "worldFromCamera", poseOf(camera, transform));
-  const std::string reference = textOf(chunk, "reference");
+  const std::string reference = textAt(chunk, "reference");
   if (transform && !reference.empty() && !reference.starts_with("LOCAL_CS")) placed["world"] = "ecef";
   return placed;
 }
 
-/// Those of a group that are aligned: that have a transform.
-void addCameras(const Node& group, std::vector<Node>& cameras) {
+/// Those of a group that are aligned: that have a transform. others: the labels of those that are not.
+void addCameras(const Node& group, std::vector<Node>& cameras, std::vector<std::string>& others) {
   for (const Node& camera : itemsAt(group, "camera"))
-    if (camera.json().is_object() && contentOf(camera, "transform")) cameras.push_back(camera);
+    if (camera.json().is_object() && camera.find("transform"))
+      cameras.push_back(camera);
+    else
+      others.push_back(textAt(camera, "@label"));
 }
 
 Import open(const Node& root) {
@@ -110,22 +97,22 @@ Import open(const Node& root) {
   const Node chunk = chunks.front();
   const auto all = chunk.find("cameras");
   std::vector<Node> cameras;
+  Import result;
   if (all) {
-    addCameras(*all, cameras);
-    for (const Node& group : itemsAt(*all, "group")) addCameras(group, cameras);
+    addCameras(*all, cameras, result.withoutPose);
+    for (const Node& group : itemsAt(*all, "group")) addCameras(group, cameras, result.withoutPose);
     if (cameras.empty()) all->fail("holds no camera that is aligned: none has a transform");
   }
-  Import result;
   for (const Node& camera : cameras)
-    result.add(textOf(camera, "@label"), textOf(camera, "@id"), [=] { return placedCamera(chunk, camera); });
+    result.add(textAt(camera, "@label"), textAt(camera, "@id"), [=] { return placedCamera(chunk, camera); });
   return result;
 }
 
 Import openLens(const Node& root) {
   Import result;
   result.add("", "", [calibration = root.require("calibration")] {
-    return cameraOf(calibration, textOf(calibration, "projection"), cmd::numberOf(calibration.require("width")),
-                    cmd::numberOf(calibration.require("height")));
+    return cameraOf(calibration, textAt(calibration, "projection"), numberOf(calibration.require("width")),
+                    numberOf(calibration.require("height")));
   });
   return result;
 }

@@ -109,6 +109,37 @@ Import importParts(const Node& root, const std::string& line) {
   throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
 }
 
+[[noreturn]] void failUnknown(const Document& file) {
+  throw UnknownFile(file.name +
+                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
+                        "formats lists the kinds",
+                    file);
+}
+
+/// A pose of ours beside members that are not may be another program's. Where most are not, it is; else the reader's
+/// message tells, and info proposes too.
+void requireOwnMembers(const Document& file) {
+  const auto isOf = [](std::string_view key) {
+    return key == "cameras" || std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+             return key == topName(field) || key == field.alias;
+           });
+  };
+  for (const char* ours : {"convention", "projection", "viewport"})
+    if (file.root->contains(ours)) return;
+  const std::size_t count = file.root->size();
+  std::size_t known = 0;
+  for (const auto& member : file.root->items()) known += isOf(member.key()) ? 1 : 0;
+  if (known == count) return;
+  if (2 * known < count) failUnknown(file);
+  try {
+    Document copy{file.name, std::make_shared<Json>(*file.root)};
+    normalize(copy);
+    (void)readValues(copy);
+  } catch (const InputError& e) {
+    throw UnknownFile(e.what(), file, true);
+  }
+}
+
 Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
   const Node root(*file);
   if (opening.parts) return importParts(root, *opening.parts);
@@ -133,14 +164,14 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), claim.known);
   }
-  if (!file->isPlainText && isCameraDocument(*file->root)) return openCameraDocument(*file);
+  if (!file->isPlainText && isCameraDocument(*file->root)) {
+    requireOwnMembers(*file);
+    return openCameraDocument(*file);
+  }
   if (!file->fault.empty())
     throw UnknownFile(file->fault + (file->root->size() > 1 ? "; viewproj info FILE tells what it has as text" : ""),
                       *file);
-  throw UnknownFile(file->name +
-                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
-                        "formats lists the kinds",
-                    *file);
+  failUnknown(*file);
 }
 
 /// One of the poses whose product is a camera's, or several in turn.
@@ -268,6 +299,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
                                (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
                                " keeps both)";
+  result.hasUnclearAxes = false;
   const auto moved = [&](const CameraEntry& camera, std::size_t number) {
     return [document = camera.document, factors, number, direction = opening.direction] {
       return atPose(document(), *factors, number, direction);
@@ -310,7 +342,10 @@ std::unique_ptr<CameraSet> openDocument(Document document, const Opening& openin
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   if (opening.parts && !patches.readAs.empty())
-    throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
+    throw UsageError(
+        "--parts makes a camera in the convention opencv; leave out --read-as, or say --set cameraAxes=RUB for the "
+        "axes of "
+        "OpenGL");
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
   if (!model) return openDocument(readTree(source, opening.option, true), opening, std::move(patches));
   if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");

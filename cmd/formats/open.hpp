@@ -14,9 +14,10 @@ namespace viewproj::cmd {
 
 /// A tree that no format claims.
 struct UnknownFile : UnknownFormat {
-  UnknownFile(const std::string& message, Document tree)
-      : UnknownFormat(message, tree.text ? *tree.text : ""), file(std::move(tree)) {}
+  UnknownFile(const std::string& message, Document tree, bool ours = false)
+      : UnknownFormat(message, tree.text && !ours ? *tree.text : ""), file(std::move(tree)), isOurs(ours) {}
   Document file;
+  bool isOurs;  ///< it is read as our own, and has members that ours has not
 };
 
 /// What is typed beside the file.

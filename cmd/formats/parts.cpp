@@ -25,7 +25,8 @@ constexpr std::string_view kNames =
     "target direction up euler name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi near far id", kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
-                           kTurns = "rotation rotationVector quaternion quaternionWFirst";
+                           kTurns = "rotation rotationVector quaternion quaternionWFirst",
+                           kPoseForms = "rotation rotationVector quaternion quaternionWFirst translation";
 
 using FoundParts = std::map<std::string, Found, std::less<>>;
 
@@ -171,6 +172,11 @@ Json chainOf(const Parts& parts, std::string_view pose) {
   const Found& found = parts[pose];
   const std::vector<double>& all = parts.numbers(pose, {});
   if (found.nodes.size() < 2 || all.size() == 12 || all.size() == 16) {
+    const std::string name(pose);
+    if (all.size() == 7)
+      parts.fail(pose, "expected 12 or 16 numbers, got 7; --parts '" + name +
+                           ".translation=" + parts.node(pose).path() + "[0:3], " + name +
+                           ".quaternion=" + parts.node(pose).path() + "[3:7]' says their order");
     if (!parts.has("P")) (void)parts.numbers(pose, {12, 16});
     return Json::array({matrixOf(parts.node(pose), all)});
   }
@@ -185,15 +191,26 @@ Json chainOf(const Parts& parts, std::string_view pose) {
 /// A turn of one of the forms, and a translation or the part position.
 Json rigidOf(const Parts& parts, const std::string& pose, const std::string& turn) {
   const std::string translation = pose + ".translation";
-  if (!parts.has(translation) && !parts.has("position")) parts.fail(turn, "needs t or tvec beside it");
+  if (!parts.has(translation) && !parts.has("position"))
+    parts.fail(turn, "needs t or tvec beside it (" + translation + ")");
   Json rigid{{"translation", parts.has(translation) ? parts.numbers(translation, {3}) : std::vector<double>{0, 0, 0}}};
   if (turn.ends_with("rotation")) {
+    const std::size_t count = parts[turn].numbers.size();
+    if (count == 3 || count == 4)
+      parts.fail(turn, "expected 9 numbers, got " + std::to_string(count) + "; say " + pose +
+                           (count == 3 ? ".rotationVector" : ".quaternion"));
     rigid["rotation"] = rowsOf(parts.numbers(turn, {9}), 3);
   } else if (turn.ends_with("rotationVector")) {
     rigid["rotationVector"] = parts.numbers(turn, {3});
   } else {
     std::vector<double> q = parts.numbers(turn, {4});
-    if (turn.ends_with("WFirst")) std::rotate(q.begin(), q.begin() + 1, q.end());
+    // A name states the order of a list as it stands in the file.
+    const Node& first = parts.node(turn);
+    const bool isWhole = parts[turn].nodes.size() == 1 && !first.json().is_object() && numbersIn(first.json()) == q;
+    const std::string_view order = isWhole ? quaternionOrderOf(first.path()) : "";
+    const bool isWFirst = turn.ends_with("WFirst");
+    if (isWFirst && order == "xyzw") parts.fail(turn, "is called x, y, z, w; say " + pose + ".quaternion");
+    if (isWFirst || order == "wxyz") std::rotate(q.begin(), q.begin() + 1, q.end());
     rigid["rotation"] = q;
   }
   return rigid;
@@ -271,6 +288,19 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
   return camera;
 }
 
+/// "; did you mean 'calib.fx'?", or what numbers the file has.
+std::string nearPath(const Node& root, const std::string& path) {
+  const std::vector<std::string> paths = pathsOfNumbers(root.json());
+  const auto lastOf = [](const std::string& of) { return lettersOf(of.substr(of.rfind('.') + 1)); };
+  for (const std::string& each : paths)
+    if (lastOf(each) == lastOf(path)) return "; did you mean '" + visible(each) + "'?";
+  if (const std::string_view near = nearestName(path, std::vector<std::string_view>(paths.begin(), paths.end()));
+      !near.empty())
+    return "; did you mean '" + visible(near) + "'?";
+  constexpr std::size_t kMost = 8;
+  return paths.empty() ? "" : "; it has " + visible(someOf(paths, kMost));
+}
+
 /// A line of parts in a file.
 struct PartsLine {
   Node root;
@@ -282,9 +312,9 @@ struct PartsLine {
     FoundParts found;
     for (const Part& part : parts) {
       auto value = cmd::find(root, part, star, isAmong(part.name, kTexts));
+      const std::string path = withStar(part.value.front().front().paths.front().text, star);
       if (!value && !part.isOptional)
-        root.fail(part.name + ": " + withStar(part.value.front().front().paths.front().text, star) +
-                  ": is not in the file");
+        root.fail(part.name + ": " + path + ": is not in the file" + nearPath(root, path));
       if (value) found.emplace(part.name, std::move(*value));
     }
     return found;
@@ -330,14 +360,20 @@ void requireNames(const std::vector<Part>& parts, const std::string& label, bool
     const std::size_t dot = std::min(part.name.find('.'), part.name.size());
     const std::string first = part.name.substr(0, dot), form = part.name.substr(std::min(dot + 1, part.name.size()));
     if (dot == part.name.size() ? isAmong(first, kNames) || (isRow && isAmong(first, kNamesOfRows))
-                                : isAmong(first, kPoseParts) && (form == "translation" || isAmong(form, kTurns)))
+                                : isAmong(first, kPoseParts) && isAmong(form, kPoseForms))
       continue;
     if (first == "pose")
       throw UsageError(
           label +
           ": pose is no part: say cameraFromWorld (as solvePnP and COLMAP give it) or worldFromCamera (its "
           "translation is the camera's place)");
-    throw UsageError(label + ": " + inQuotes(part.name) + " is no part" + suggestion(part.name, wordsIn(kNames)));
+    std::vector<std::string> all;
+    for (const std::string_view each : wordsIn(kNames)) all.emplace_back(each);
+    for (const std::string_view pose : wordsIn(kPoseParts))
+      for (const std::string_view turn : wordsIn(kPoseForms))
+        all.push_back(std::string(pose) + "." + std::string(turn));
+    throw UsageError(label + ": " + inQuotes(part.name) + " is no part" +
+                     suggestion(part.name, std::vector<std::string_view>(all.begin(), all.end()), "help parts"));
   }
 }
 
@@ -359,7 +395,7 @@ std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> part
     return known.contains(star.substr(0, star.find("_to_"))) && star.find("_to_") != std::string::npos;
   });
   if (!starred) stars.emplace_back();
-  if (stars.empty()) root.fail(starred->text + ": is not in the file");
+  if (stars.empty()) root.fail(starred->text + ": is not in the file" + nearPath(root, starred->text));
   const std::string pattern = names.empty() ? line->segment() : std::string(names);
   std::vector<CameraEntry> cameras;
   for (const std::string& star : stars) {

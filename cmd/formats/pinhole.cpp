@@ -108,7 +108,8 @@ std::string textAt(const Node& node, std::string_view member) {
   const auto found = node.json().is_object() ? node.find(member) : std::nullopt;
   if (!found) return "";
   found->mark();
-  return found->json().is_string() ? found->json().get<std::string>() : found->json().dump();
+  const Json& value = contentOf(found->json());
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 std::vector<Node> itemsAt(const Node& node, std::string_view member) {

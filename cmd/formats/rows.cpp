@@ -24,8 +24,9 @@ namespace {
   "distortion_coefficients|dist_coeffs|distCoeffs|distortionCoefficients|dist|D|d|distortion|Distortion_Coefficients|" \
   "distortion_coeffs|dist_coeff|dist_coefs|distCoef|distCoeff|kc|distortion_vec|distortions|Distortion|cam_dist|"      \
   "camera_dist_coeffs|disto"
-#define SIZES                                                                                                     \
-  "size?=width|image_width|image_Width|w|W|img_width|cols+height|image_height|image_Height|h|H|img_height|rows||" \
+#define SIZES                                                                                                       \
+  "size?=width|image_width|image_Width|w|W|img_width|cols|viewport.width+height|image_height|image_Height|h|H|img_" \
+  "height|rows|viewport.height||"                                                                                   \
   "image_size|img_size|imageSize|resolution|cameraRes|size"
 #define MODELS "model?=distortion_model|camera_model|lens_model|lensmodel, isFisheye?=fisheye_model|is_fisheye|fisheye"
 #define POSES                                                                                                         \
@@ -33,6 +34,7 @@ namespace {
   "T_lidar_to_cam|CameraMatrix, worldFromCamera?=T_world_cam|T_wc|worldFromCamera|c2w|cam_to_world|camera_to_world, " \
   "cameraFromWorld.rotation?=R|rotation_matrix|cam_R_w2c|poses.R, "                                                   \
   "cameraFromWorld.rotationVector?=rvec|rotation_vector|rotationVector|rvecs, "                                       \
+  "cameraFromWorld.quaternionWFirst?=qvec, "                                                                          \
   "cameraFromWorld.translation?=t|tvec|T|translation_vector|translationVector|translation|cam_t_w2c|poses.T|tvecs"
 #define NOTHING_READ                                                                                                 \
   "ret rms rms_error rms_err rmse error *_error *_errors *Error *Errors per_view* avg_* mean_* objpoints imgpoints " \

@@ -151,6 +151,9 @@ std::string lensMembers(const WrittenCamera& camera, std::string_view between) {
   JsonObject out;
   out.add("camera_model", isFisheye ? "OPENCV_FISHEYE" : lens ? "OPENCV" : "PINHOLE");
   const auto add = [&](std::string_view name, double value) { out.addText(name, jsonOf(value), between); };
+  // The original NeRF and 3D Gaussian splatting read these alone.
+  add("camera_angle_x", 2 * std::atan(camera.width() / 2 / k.fx));
+  add("camera_angle_y", 2 * std::atan(camera.height() / 2 / k.fy));
   add("fl_x", k.fx);
   add("fl_y", k.fy);
   add("cx", k.cx);

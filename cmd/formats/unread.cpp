@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "camera/fields.hpp"
+#include "formats/finder.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/names.hpp"
@@ -262,6 +263,21 @@ class Unread {
     for (auto& [stem, group] : groups) lists.left.push_back(std::move(group));
   }
 
+  /// What reads a pose that is left: a name, or the line that the finder proposes.
+  std::string wayToRead(const Left& left) const {
+    const std::size_t count = oneOf(left.node, left.numbers).size();
+    const bool isMatrix = (count == 12 || count == 16) && !left.areMembers;
+    const std::string called = isMatrix ? "call it cameraFromWorld or worldFromCamera, or " : "";
+    for (const ProposedLine& line : proposeParts(*file_).lines) {
+      const std::size_t pose = std::min({line.parts.find("pose"), line.parts.find("From")});
+      if (pose == std::string::npos || line.parts.find(left.name, pose) == std::string::npos) continue;
+      const bool isAsked = line.parts.find("pose", pose) != std::string::npos;
+      return called + "read it by --parts '" + line.parts + "'" +
+             (isAsked ? ", with worldFromCamera or cameraFromWorld for pose" : "");
+    }
+    return called + "read it by --parts (viewproj help parts)";
+  }
+
   void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
@@ -276,11 +292,7 @@ class Unread {
     if (isPoseNumber ||
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
-      left.node.fail(
-          std::string("is not read, and may be the camera's pose: call it cameraFromWorld or "
-                      "worldFromCamera, ") +
-          (isDigit(left.node.path()[0]) ? "its numbers x, y, z, qx, qy, qz, qw of the camera in the world, " : "") +
-          "or take it out; --parts reads it under any name");
+      left.node.fail("is not read, and may be the camera's pose: " + wayToRead(left) + ", or take it out");
     if (left.areMembers) return;
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");

@@ -61,7 +61,8 @@ bool appendText(std::string_view text, std::vector<double>& numbers) {
   return numbers.size() > before;
 }
 
-bool append(const Json& value, std::vector<double>& numbers) {
+bool append(const Json& whole, std::vector<double>& numbers) {
+  const Json& value = contentOf(whole);
   if (value.is_number()) {
     numbers.push_back(value.get<double>());
     return true;
@@ -225,7 +226,7 @@ bool isBefore(std::string_view a, std::string_view b) {
 }
 
 std::string textIn(const Node& node) {
-  const Json& value = node.json();
+  const Json& value = contentOf(node.json());
   if (value.is_structured()) node.fail("expected a text");
   if (value.is_string()) return value.get<std::string>();
   return value.is_number() ? formatNumber(value.get<double>()) : value.dump();
@@ -264,6 +265,11 @@ bool addPath(const Node& root, const Path& path, std::string_view star, bool isT
 }
 
 }  // namespace
+
+const Json& contentOf(const Json& value) {
+  const auto text = value.is_object() ? value.find("#text") : value.end();
+  return value.is_object() && text != value.end() ? *text : value;
+}
 
 std::optional<std::vector<double>> numbersIn(const Json& value) {
   std::vector<double> numbers;
@@ -336,6 +342,27 @@ std::optional<Node> valueAt(const Node& root, std::string_view path) {
   return found;
 }
 
+namespace {
+
+void addPaths(const Json& value, const std::string& path, std::size_t depth, std::vector<std::string>& paths) {
+  constexpr std::size_t kMostPaths = 2000, kDeepestPath = 12;
+  if (paths.size() == kMostPaths || depth == kDeepestPath) return;
+  if (const auto numbers = numbersIn(value); numbers && !numbers->empty() && !path.empty())
+    paths.push_back(path);
+  else if (value.is_object())
+    for (const auto& [key, member] : value.items()) addPaths(member, joinedPath(path, key), depth + 1, paths);
+  else if (value.is_array() && !value.empty())
+    addPaths(value.front(), joinedPath(path, value.front().is_object() && path.empty() ? "*" : "0"), depth + 1, paths);
+}
+
+}  // namespace
+
+std::vector<std::string> pathsOfNumbers(const Json& root) {
+  std::vector<std::string> paths;
+  addPaths(root, "", 0, paths);
+  return paths;
+}
+
 std::string withStar(std::string_view path, std::string_view star) {
   std::string text(path);
   if (const std::size_t at = text.find('*'); at != std::string::npos) text.replace(at, 1, star);
@@ -386,6 +413,23 @@ std::vector<std::string> starsOf(const Node& root, const std::vector<const Path*
   return texts;
 }
 
+/// Fails where a later name of the value that a term found has other numbers. A lens may leave out zeros at its end.
+void requireOneValue(const Node& root, const Term& term, const Path& found, std::string_view star, bool isLens) {
+  const auto first = valueAt(root, withStar(found.text, star));
+  auto numbers = first && !found.isOfCoefficients ? numbersIn(first->json()) : std::nullopt;
+  if (!numbers || numbers->size() < 2) return;
+  for (const Path* path = &found + 1; path < term.paths.data() + term.paths.size(); ++path) {
+    const auto other = path->isOfCoefficients ? std::nullopt : valueAt(root, withStar(path->text, star));
+    auto others = other ? numbersIn(other->json()) : std::nullopt;
+    if (!others || others->size() < 2 || (others->size() != numbers->size() && !isLens)) continue;
+    const std::size_t count = std::max(others->size(), numbers->size());
+    others->resize(count);
+    numbers->resize(count);
+    if (*others != *numbers)
+      other->fail("differs from " + first->path() + ", which is another name of it; take one of them out");
+  }
+}
+
 std::optional<Found> find(const Node& root, const Part& part, std::string_view star, bool isText) {
   std::string lacking;  // of the first sum of which some terms are there
   for (const Sum& sum : part.value) {
@@ -394,8 +438,11 @@ std::optional<Found> find(const Node& root, const Part& part, std::string_view s
     bool isAny = false;
     for (const Term& term : sum) {
       const std::size_t before = found.nodes.size();
-      const bool isThere = std::any_of(term.paths.begin(), term.paths.end(),
-                                       [&](const Path& path) { return addPath(root, path, star, isText, found); });
+      const auto path = std::find_if(term.paths.begin(), term.paths.end(),
+                                     [&](const Path& each) { return addPath(root, each, star, isText, found); });
+      const bool isThere = path != term.paths.end();
+      if (isThere && !isText)
+        requireOneValue(root, term, *path, star, part.name == "lens" || part.name == "distortion");
       isAny = isAny || isThere;
       if (!isThere && !term.isOptional && missing.empty()) missing = withStar(term.paths.front().text, star);
       if (found.nodes.size() > before && !term.isOptional && present.empty()) present = found.nodes.back().path();

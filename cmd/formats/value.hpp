@@ -21,6 +21,8 @@
 
 namespace viewproj::cmd {
 
+/// The text of an element of XML that has attributes too; other values as they are.
+const Json& contentOf(const Json& value);
 /// The numbers of a value: a number, a text that is only numbers, arrays, or an object whose names are known to have an
 /// order, such as {"x", "y", "z"}. Nothing if it holds anything else.
 std::optional<std::vector<double>> numbersIn(const Json& value);
@@ -61,6 +63,8 @@ std::vector<Part> parseParts(std::string_view line, const std::string& label, st
 
 /// The value at a path without a star. Null values count as absent.
 std::optional<Node> valueAt(const Node& root, std::string_view path);
+/// The paths of values that are numbers, a star for each row of a list of objects.
+std::vector<std::string> pathsOfNumbers(const Json& root);
 /// The path with the star replaced.
 std::string withStar(std::string_view path, std::string_view star);
 /// Calls visit with each text that the star of a path stands for, until it returns false. Whether there is any.

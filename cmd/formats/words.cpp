@@ -39,13 +39,6 @@ std::string lowered(std::string_view text) {
   return all;
 }
 
-std::string lettersOf(std::string_view name) {
-  std::string letters;
-  for (const char c : name)
-    if (isLetter(c) || isDigit(c)) letters += lower(c);
-  return letters;
-}
-
 bool isAmong(std::string_view word, std::string_view words) {
   for (std::size_t at = words.find(word); at != std::string_view::npos && !word.empty();
        at = words.find(word, at + 1)) {
@@ -59,6 +52,13 @@ bool isAmong(std::string_view word, std::string_view words) {
 bool hasWord(std::string_view name, std::string_view words) {
   const std::vector<std::string> each = wordsOf(name);
   return std::any_of(each.begin(), each.end(), [&](const std::string& word) { return isAmong(word, words); });
+}
+
+std::string_view quaternionOrderOf(std::string_view name) {
+  const std::string letters = lettersOf(name);
+  for (const std::string_view order : {"wxyz", "xyzw"})
+    if (letters.find(order) != std::string::npos) return order;
+  return "";
 }
 
 bool isRotation(const std::vector<double>& m) {

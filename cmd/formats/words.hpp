@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text/names.hpp"
+
 namespace viewproj::cmd {
 
 /// The words of a name, in lower case: cut at what is no letter or digit, at aB, and between letters and digits.
@@ -13,12 +15,13 @@ namespace viewproj::cmd {
 std::vector<std::string> wordsOf(std::string_view name);
 /// In lower case.
 std::string lowered(std::string_view text);
-/// The letters and digits of a name, in lower case.
-std::string lettersOf(std::string_view name);
 /// Whether a text is one of words separated by blanks.
 bool isAmong(std::string_view word, std::string_view words);
 /// Whether one of the name's words is among words separated by blanks.
 bool hasWord(std::string_view name, std::string_view words);
+
+/// The order of a quaternion's numbers that its name states: "wxyz", "xyzw"; or empty.
+std::string_view quaternionOrderOf(std::string_view name);
 
 /// 9 numbers by rows that are a rotation within 1e-3.
 bool isRotation(const std::vector<double>& m);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <tuple>
 
+#include "camera/read_lens.hpp"
 #include "formats/writer.hpp"
 #include "numbers/vectors.hpp"
+#include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -61,10 +63,41 @@ std::string storage(const std::vector<Stored>& entries, std::string_view ending)
   return ending == ".json" ? "{\n  " + json.members() + "\n}\n" : ending == ".xml" ? xml + "</opencv_storage>\n" : yaml;
 }
 
+/// The pose of a camera as R and T, as stereoCalibrate gives them for the second of two.
+void addPose(const WrittenCamera& camera, std::vector<Stored>& entries) {
+  const auto m = cameraFromWorld(camera);
+  entries.push_back({"R", 3, 3, {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}});
+  entries.push_back({"T", 3, 1, {m[3], m[7], m[11]}});
+}
+
+/// Two cameras, as stereo_calib stores them: the world is the first one's.
+std::vector<WrittenFile> writeStereo(const WrittenCamera& first, const WrittenCamera& second, std::string_view ending) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError(first.file.name + ": opencv's file of two cameras has no place for " + what);
+  };
+  if (!first.isAtOrigin())
+    fail("the pose of the first, from which R and T lead to the second; pick one with FILE#NAME");
+  if (first.width() != second.width() || first.height() != second.height()) fail("two sizes of pictures");
+  std::vector<Stored> entries{{"image_width", 0, 0, {first.width()}}, {"image_height", 0, 0, {first.height()}}};
+  for (const WrittenCamera* camera : {&first, &second}) {
+    const std::string number = camera == &first ? "1" : "2";
+    const std::optional<Lens>& lens = camera->file.lens;
+    if (lens && lens->model() != LensModel::brown)
+      fail("the lens " + std::string(nameOf(lens->model())) + "; --ignore-distortion leaves it out");
+    const auto k = matrixOf(atCentres(*camera));
+    const std::vector<double> c = lens ? coefficientsOf(*lens) : std::vector<double>(5);
+    entries.push_back({"M" + number, 3, 3, {k.begin(), k.end()}});
+    entries.push_back({"D" + number, 1, c.size(), c});
+  }
+  addPose(second, entries);
+  return {{"", storage(entries, ending)}};
+}
+
 }  // namespace
 
 std::vector<WrittenFile> writeOpenCv(std::span<const WrittenCamera> cameras, std::string_view ending) {
   const WrittenCamera& camera = cameras.front();
+  if (cameras.size() == 2) return writeStereo(camera, cameras.back(), ending);
   const auto k = matrixOf(atCentres(camera));
   std::vector<Stored> entries{{"image_width", 0, 0, {camera.width()}},
                               {"image_height", 0, 0, {camera.height()}},
@@ -78,11 +111,7 @@ std::vector<WrittenFile> writeOpenCv(std::span<const WrittenCamera> cameras, std
     if (isOmni) entries.push_back({"xi", 0, 0, {xi}});
     if (isFisheye(camera)) entries.push_back({"fisheye_model", 0, 0, {1}});
   }
-  if (!camera.isAtOrigin()) {
-    const auto m = cameraFromWorld(camera);
-    entries.push_back({"R", 3, 3, {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}});
-    entries.push_back({"T", 3, 1, {m[3], m[7], m[11]}});
-  }
+  if (!camera.isAtOrigin()) addPose(camera, entries);
   return {{"", storage(entries, ending)}};
 }
 

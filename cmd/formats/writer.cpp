@@ -19,7 +19,8 @@ constexpr std::uint32_t kPicture = kPixels | kSizePlace | kShapePlace,
                         kStatedPoses = kPosePlace | kNeedsPose | kSeveralPlace, kNamedPoses = kStatedPoses | kNamePlace;
 
 constexpr Writer kWriters[] = {
-    {"opencv", ".yml .xml", kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace, writeOpenCv},
+    {"opencv", ".yml .xml", kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace | kSeveralPlace,
+     writeOpenCv, 2},
     {"ros", "", kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize, writeRos},
     {"kalibr", "",
      kPicture | kOffCentrePlace | kPosePlace | kSeveralPlace | kNeedsWholeSize | kBrownPlace | kFisheyePlace |
@@ -86,58 +87,66 @@ class Places {
  public:
   Places(const WrittenCamera& camera, const Writer& writer) : camera_(camera), file_(camera.file), writer_(writer) {}
 
-  void require() const {
+  void require() {
     requireParts();
     if (lacks(kPosesAlone)) requirePicture();
     if (lacks(kPosePlace) && !camera_.isAtOrigin())
-      fail(std::string("a pose; ") +
+      lack(std::string("a pose; ") +
            (file_.convention.view == ViewAxes::RDF && !valueAt(*file_.document.root, "cameraAxes")
                 ? "--world-from-camera 0,0,0"
                 : "--position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF") +
            " leaves it out");
+    if (!lacking_.empty()) file_.fail(file_.name + ": " + std::string(writer_.name) + " has no place for " + lacking_);
   }
 
  private:
   bool lacks(Place place) const { return (writer_.places & place) == 0; }
-  [[noreturn]] void fail(const std::string& what) const {
-    file_.fail(file_.name + ": " + std::string(writer_.name) + " has no place for " + what);
-  }
+  void lack(const std::string& what) { lacking_ += (lacking_.empty() ? "" : "; nor for ") + what; }
 
-  void requirePicture() const {
+  void requirePicture() {
     const Projection& p = *file_.projection;
-    if (p.isOrthographic() && lacks(kOrthographicPlace)) fail("an orthographic projection");
+    if (p.isOrthographic() && lacks(kOrthographicPlace)) lack("an orthographic projection");
     if (file_.lens) requireLens(*file_.lens);
     const bool isCentred = std::fabs(p.left() + p.right()) <= kRounding * (p.right() - p.left()) &&
                            std::fabs(p.bottom() + p.top()) <= kRounding * (p.top() - p.bottom());
-    if (!isCentred && lacks(kOffCentrePlace)) fail("a viewing axis off the middle of the picture");
+    if (!isCentred && lacks(kOffCentrePlace)) lack("a viewing axis off the middle of the picture" + centring());
     if (file_.viewport) requireViewport(*file_.viewport);
     if ((writer_.places & kNeedsNear) != 0) requireNear(file_, std::string(writer_.name));
     if ((writer_.places & kNeedsFar) != 0 && !std::isfinite(p.zFar()))
-      fail("a far plane at infinity; --far gives another");
+      lack("a far plane at infinity; --far gives another");
   }
 
-  void requireViewport(const Viewport& v) const {
+  /// What moves the axis to the middle, where the document has it.
+  std::string centring() const {
+    const Document& document = file_.document;
+    const bool isPoint = valueAt(*document.root, "projection.cx") || valueAt(*document.root, "projection.cy");
+    return isPoint ? "; --set projection.cx=null --set projection.cy=null moves it there"
+           : valueAt(*document.root, "projection.shift") ? "; --set projection.shift=null moves it there"
+                                                         : "";
+  }
+
+  void requireViewport(const Viewport& v) {
     const double shape = file_.projection->aspect() * v.height / v.width;
-    if (!(std::fabs(shape - 1) <= kRounding) && lacks(kShapePlace)) fail("pixels that are not square");
+    if (!(std::fabs(shape - 1) <= kRounding) && lacks(kShapePlace)) lack("pixels that are not square");
     if ((v.x != 0 || v.y != 0) && !lacks(kPixels))
-      fail("the viewport's x and y; --set viewport.x=0 --set viewport.y=0 leaves them out");
+      lack("the viewport's x and y; --set viewport.x=0 --set viewport.y=0 leaves them out");
     if ((writer_.places & kNeedsWholeSize) != 0 && !(isWhole(v.width) && isWhole(v.height)))
-      fail("a picture of " + formatNumber(v.width) + "x" + formatNumber(v.height) + " pixels, a part of one");
+      lack("a picture of " + formatNumber(v.width) + "x" + formatNumber(v.height) + " pixels, a part of one");
   }
 
-  void requireLens(const Lens& lens) const {
+  void requireLens(const Lens& lens) {
     const std::string without = "; --ignore-distortion leaves it out";
     const std::string model(nameOf(lens.model()));
-    if (lacks(static_cast<Place>(placeOf(lens)))) fail("the lens " + model + without);
+    if (lacks(static_cast<Place>(placeOf(lens)))) lack("the lens " + model + without);
     const auto& k = lens.k();
     const bool isRational = k[3] != 0 || k[4] != 0 || k[5] != 0;
     const bool isBrown = lens.model() == LensModel::brown;
-    if (isBrown && k[2] != 0 && lacks(kK3Place)) fail("k3 of the lens" + without);
-    if (isBrown && isRational && lacks(kRationalPlace)) fail("k4 to k6 of the lens" + without);
+    if (isBrown && k[2] != 0 && lacks(kK3Place)) lack("k3 of the lens" + without);
+    if (isBrown && isRational && lacks(kRationalPlace)) lack("k4 to k6 of the lens" + without);
     if (lens.model() == LensModel::omni && lacks(kWholeOmniPlace) && (k[2] != 0 || isRational))
-      fail("k3 to k6 of the lens omni" + without);
+      lack("k3 to k6 of the lens omni" + without);
     if (lens.limitCause() == LimitCause::stated)
-      fail("the limit of the lens; --set distortion.limit=null leaves it out");
+      lack("the limit of the lens; --set distortion.limit=null leaves it out");
   }
 
   /// Names a part that is missing.
@@ -152,6 +161,7 @@ class Places {
   const WrittenCamera& camera_;
   const CameraFile& file_;
   const Writer& writer_;
+  std::string lacking_;
 };
 
 }  // namespace

@@ -367,7 +367,11 @@ NamedMatrix calibrationMatrix(const CameraMatrix& row, const MatrixSource& s) {
     f.fail(f.name + ": an orthographic camera has no " + std::string(row.name));
   if (row.pose && f.convention.world == Handedness::left)
     f.fail(f.name + ": " + std::string(row.name) + " is of right-handed worlds; --map x,y,-z mirrors this one");
-  NamedMatrix named{std::string(row.name), {}, 3, 4, row.ofCalibration};
+  NamedMatrix named{std::string(row.name), {}, 3, 4, std::string(row.ofCalibration)};
+  if (row.viewport) {
+    const std::string center = formatNumber(f.viewport->pixelCenter);
+    named.comment += "; the first pixel's centre is " + center + ", " + center;
+  }
   if (!row.pose && !row.viewport) {
     named.rows = 1;
     const Projection& p = *f.projection;

@@ -26,7 +26,7 @@ struct NamedMatrix {
   std::string name;
   Mat4 matrix;  ///< for column vectors; the writer lays it out
   std::size_t rows = 4, columns = 4;
-  std::string_view comment = {};  ///< empty: of the set's convention; else rows as they are, and what they are
+  std::string comment = {};  ///< empty: of the set's convention; else rows as they are, and what they are
 };
 
 struct CameraMatrix {

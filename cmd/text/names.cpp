@@ -40,6 +40,13 @@ bool sameButForCase(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
+std::string lettersOf(std::string_view name) {
+  std::string letters;
+  for (const char c : name)
+    if (isLetter(c) || isDigit(c)) letters += lower(c);
+  return letters;
+}
+
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
   constexpr std::size_t kLongest = 100;
   const std::string_view word = withoutDashes(name);
@@ -102,6 +109,12 @@ std::string joined(std::span<const std::string_view> names, std::string_view sep
 
 std::string joined(const std::vector<std::string>& names, std::string_view separator) {
   return joined(std::vector<std::string_view>(names.begin(), names.end()), separator);
+}
+
+std::string someOf(const std::vector<std::string>& names, std::size_t most) {
+  if (names.size() <= most) return joined(names);
+  return joined({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(most)}) + " and " +
+         std::to_string(names.size() - most) + " more";
 }
 
 }  // namespace viewproj::cmd

@@ -9,6 +9,8 @@
 namespace viewproj::cmd {
 
 bool sameButForCase(std::string_view a, std::string_view b);
+/// The letters and digits of a name, in lower case: image_width and ImageWidth are imagewidth.
+std::string lettersOf(std::string_view name);
 
 /// The candidate with the fewest edits from name, ignoring case and leading dashes. Empty if these are more than a
 /// third of its letters.
@@ -30,5 +32,7 @@ std::string together(const std::vector<std::string_view>& names);
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names, std::string_view separator = ", ");
 std::string joined(const std::vector<std::string>& names, std::string_view separator = ", ");
+/// "a, b, c and 7 more".
+std::string someOf(const std::vector<std::string>& names, std::size_t most);
 
 }  // namespace viewproj::cmd

@@ -40,6 +40,7 @@ shows() {
     points) pattern='"screen":\[4\.89' ;;
     conventions) pattern='0\.8660254' ;;
     formats) pattern='np\.array' ;;
+    parts) pattern='"fovY": 50' ;;
     precision) pattern='"bound":[1-9]' ;;
     *) fail 'nobody has said what its examples show' ;;
   esac

@@ -247,6 +247,21 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "resolution": [100, 60]})", "height, 50"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "camera_angle_x": 0.9})", "fovX, 53.1301"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "new_K": [90, 0, 50, 0, 100, 25, 0, 0, 1]})", "new_K"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "dist": [0.1, 0, 0, 0, 0], "D": [0.5, 0, 0, 0, 0]})",
+       "D: differs from dist"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "dist": [0.1, 0.2, 0, 0, 0.3], "D": [0.1, 0.2, 0, 0]})",
+       "D: differs from dist"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "t": [1, 2, 3], "tvec": [1, 2, 4]})",
+       "tvec: differs from t"},
+      {R"([{"w": 100, "h": 50, "fx": 100, "fy": 100, "cx": 50, "cy": 25, "qw": 1, "qx": 0, "qy": 0, "qz": 0, "tx": 1, "ty": 2, "tz": 3}])",
+       "pose.quaternion=*.qx+*.qy+*.qz+*.qw, pose.translation=*.tx+*.ty+*.tz', with worldFromCamera"},
+      {R"([{"w": 100, "h": 50, "fx": 100, "fy": 100, "cx": 50, "cy": 25, "cameraFromWorld": "1 0 0 0 1 2 3"}])",
+       "[3:7]"},
+      {R"([{"lat": 47, "lon": 8, "heading": 0, "width": 100, "height": 50, "fovX": 60}])",
+       "call it viewport.height or position.height"},
+      {R"([{"x": 1, "y": 2, "z": 3, "heading": 0, "viewport": 640, "viewport.width": 640}])",
+       "viewport.width: is said by another column too"},
+      {R"([{"x": 1, "y": 2, "z": 3, "target.x": 0, "target.y": 0, "target.z": 0, "fov": 60}])", "fovX or fovY"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "map1": [[1, 2], [3, 4]]})", "map1"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "D": [0.1, 0.2, 0.3, 0.4], "w": 100, "h": 50})",
        "--parts 'K=K, fisheye=D, size=w+h'"},
@@ -271,6 +286,9 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       {.option = "FILE"}, {});
   (void)agreed->document(0);
   CHECK(agreed->unreadOf(0).empty());
+  // Two names of one lens, of which one has zeros at its end.
+  CHECK(cameraOf(R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "dist": [0.1, 0.2, 0, 0, 0],
+                     "D": [0.1, 0.2, 0, 0]})")["distortion"]["k"][1] == 0.2);
 }
 
 TEST_CASE("forms of formats that are less common are read") {
@@ -297,6 +315,23 @@ TEST_CASE("forms of formats that are less common are read") {
       {R"({"cam_model": "Pinhole", "cam_width": 100, "cam_height": 50, "cam_fx": 100, "cam_fy": 110, "cam_cx": 50, "cam_cy": 25,
            "cam_d0": 0.1, "cam_d1": 0.2, "cam_d2": 0.01, "cam_d3": 0.02})",
        "", 1, R"("p":[0.01,0.02])"},
+      {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "qvec": [0.5, 0.1, 0.7, 0.5], "tvec": [1, 2, 3]})", "", 1,
+       R"("rotation":[0.1,0.7,0.5,0.5])"},
+      // Columns of tables, in any case.
+      {R"([{"lat": 47, "lon": 8, "alt": 500, "heading": 1, "fx": 100, "fy": 100, "width": 100, "height": 50}])", "", 1,
+       R"("viewport":{"height":50.0,"width":100.0})"},
+      {R"([{"LAT": 47, "Longitude": 8, "Altitude": 500, "Yaw": 1, "FocalLengthIn35mmFormat": 24, "ImageWidth": 100, "ImageHeight": 50}])",
+       "", 1, R"("focalLength":24.0,"sensorDiagonal":43.266615305567875)"},
+      {R"([{"x": 1, "y": 2, "z": 3, "qx": 0, "qy": 0, "qz": 0, "qw": 1, "f": 100, "cx": 50, "cy": 25, "w": 100, "h": 50}])",
+       "", 1, R"("cx":50.0,"cy":25.0,"fx":100.0,"fy":100.0)"},
+      {R"([{"viewport.width": 100, "viewport.height": 50, "fx": 100, "fy": 110, "cx": 50, "cy": 25}])", "", 1,
+       R"("viewport":{"height":50.0,"width":100.0})"},
+      {R"([{"X0": 1, "Y0": 2, "Z0": 3, "Omega": 4, "Phi": 5, "Kappa": 6, "fl_x": 100, "fl_y": 110, "w": 100, "h": 50}])",
+       "", 1, R"("fx":100.0,"fy":110.0)"},
+      {R"([{"C_x": 1, "C_y": 2, "C_z": 3, "omega": 4, "phi": 5, "kappa": 6, "fx": 100, "fy": 110, "cx": 50, "cy": 25, "w": 100, "h": 50}])",
+       "", 1, R"("position":{"x":1.0,"y":2.0,"z":3.0})"},
+      {R"([{"Easting": 1, "Northing": 2, "Altitude": 3, "Yaw": 4, "Pitch": 5, "fov_x": 60, "w": 100, "h": 50}])", "", 1,
+       R"("world":"enu")"},
       {R"([{"name": "a", "x": 1, "y": null, "z": 3, "target.x": 0, "target.y": 0, "target.z": 0, "fx": 100, "fy": 100}])",
        "", 1, R"("fx":100)"},
       {R"([{"name": "a", "size": [100, 50], "matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "rotation": [0.1, 0.2, 0.3],
@@ -508,6 +543,47 @@ TEST_CASE("the finder proposes the line that reads a file") {
   CHECK(!proposed(R"({"mtx_a": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "radial": [2.1e-8, -1.2e-14]})")
              .lines[0]
              .decide.empty());
+}
+
+TEST_CASE("names that state an order or a direction up are obeyed by the finder and by --parts") {
+  const auto proposed = [](const std::string& file) { return proposeParts(readTree(file, "FILE")).lines.at(0); };
+  const std::string w = R"({"cam": {"pos": [1, 2, 3], "fov": 40, "q_wxyz": [0.5, 0.1, 0.7, 0.5]}})";
+  const std::string x = R"({"cam": {"pos": [1, 2, 3], "fov": 40, "quatXYZW": [0.1, 0.7, 0.5, 0.5]}})";
+  CHECK(proposed(w).parts == "fovY=cam.fov, pose.quaternionWFirst=cam.q_wxyz, position=cam.pos");
+  CHECK(proposed(x).parts == "fovY=cam.fov, pose.quaternion=cam.quatXYZW, position=cam.pos");
+  const auto turnOf = [](const std::string& file, const std::string& turn) {
+    return cameraOf(file, "",
+                    "fovY=cam.fov, worldFromCamera." + turn + ", position=cam.pos")["worldFromCamera"]["rotation"];
+  };
+  const Json turn{0.1, 0.7, 0.5, 0.5};
+  CHECK(turnOf(w, "quaternion=cam.q_wxyz") == turn);
+  CHECK(turnOf(w, "quaternionWFirst=cam.q_wxyz") == turn);
+  CHECK(turnOf(w, "quaternion=cam.q_wxyz[1,2,3,0]") == turn);
+  CHECK(turnOf(x, "quaternion=cam.quatXYZW") == turn);
+  CHECK(messageOf(x, "", "fovY=cam.fov, worldFromCamera.quaternionWFirst=cam.quatXYZW, position=cam.pos")
+            .find("say worldFromCamera.quaternion") != std::string::npos);
+  // Which way the camera's axes point is asked, where no program's name says it.
+  CHECK(proposed(w).decide.back().find("cameraAxes=RUB") != std::string::npos);
+  CHECK(proposed(R"({"shot": {"eye": [12, 8, 15], "target": [1, 2, 0], "up": [0, 1, 0], "vfov": 50}})").parts ==
+        "fovY=shot.vfov, position=shot.eye, target=shot.target, up=shot.up");
+  // Three coefficients are k1, k2 and k3, and single numbers of a pose are no less left out than others.
+  const Proposal mount = proposeParts(readTree(
+      R"({"mount": {"X": 0.5, "Yaw": 20, "lens": {"fx_px": 90, "fy_px": 91, "cx_px": 45, "cy_px": 30, "k1": 0.1, "k2": 0.2, "k3": 0.3}}})",
+      "FILE"));
+  const std::string lens = "mount.lens.";
+  CHECK(mount.lines.at(0).parts == "K=" + lens + "fx_px+" + lens + "fy_px+" + lens + "cx_px+" + lens +
+                                       "cy_px, distortion=" + lens + "k1+" + lens + "k2+0+0+" + lens + "k3");
+  CHECK(mount.leftOut == std::vector<std::string>{"mount.X", "mount.Yaw"});
+  // Members that many programs have do not make a file ours.
+  const char* const others[] = {
+      R"({"cameras": [{"focal": 900, "center": [45, 30], "distortion": [-0.1, 0.05]}, {"focal": 901, "center": [45, 30], "distortion": [-0.1, 0.06]}]})",
+      R"({"position": [1, 2, 3], "orientation_wxyz": [1, 0, 0, 0], "focal_length": 24, "clipping": [0.1, 9]})"};
+  for (const char* file : others) CHECK(messageOf(file).find("of a known kind") != std::string::npos);
+  CHECK(messageOf(R"({"position": [1, 2, 3], "target": [0, 0, 0], "fovy": 60})").find("fovy: is not known") !=
+        std::string::npos);
+  // A table of one row is a set.
+  CHECK(proposed(R"([{"shot": "a", "fovy": 40, "w2c": [1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3]}])").parts ==
+        "fovY=*.fovy, cameraFromWorld=*.w2c");
 }
 
 TEST_CASE("the finder proposes nothing for files that hold no camera") {

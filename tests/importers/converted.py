@@ -357,7 +357,7 @@ def formulas():
 
     def table(case):
         with open(case.convert("csv", "cameras.csv"), newline="") as file:
-            rows = [{name: cell if name in ("name", "distortion.model") else float(cell or 0) for name, cell in row.items()} for row in csv.DictReader(file)]
+            rows = [{name: cell if name in ("name", "distortion.model", "cameraAxes") else float(cell or 0) for name, cell in row.items()} for row in csv.DictReader(file)]
         said = []
         for row in rows:
             R = FLIP @ quaternion(*(row[n] for n in ("qx", "qy", "qz", "qw"))).T
