@@ -123,18 +123,31 @@ class Caster final : public RecordProcessor {
   ResultRows rows(const NumberPlan& plan) const override { return rowsOf(hasDistance(plan)); }
   void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera& camera) override {
     pixels_.push_back(toPixel(plan, numbers));
+    screens_.push_back(pixels_.back().screen.value_or(Vec2{NAN, NAN}));
     cameras_.push_back(&camera);
   }
   void clear() override {
     pixels_.clear();
+    screens_.clear();
     cameras_.clear();
+  }
+
+  void compute() override {
+    directions_.resize(pixels_.size());
+    for (std::size_t begin = 0, end = 0; begin < pixels_.size(); begin = end) {
+      while (end < pixels_.size() && cameras_[end] == cameras_[begin]) ++end;
+      screenToRayDirections(cameras_[begin]->camera, std::span(screens_).subspan(begin, end - begin),
+                            std::span(directions_).subspan(begin, end - begin));
+    }
   }
 
   void results(std::size_t i, ResultValues& values) override {
     const Pixel& pixel = pixels_[i];
     Cast cast{.pixel = pixel, .from = *cameras_[i]};
     if (pixel.screen) {
-      cast.ray = screenToRay(cast.camera, *pixel.screen);
+      const bool isParallel = cast.camera.projection().isOrthographic();
+      cast.ray = {isParallel ? screenToRay(cast.camera, *pixel.screen).origin : cast.camera.pose().eye(),
+                  directions_[i]};
       if (pixel.depth || pixel.viewDistance)
         cast.point = pointBehind(cast.camera, pixel);
       else if (pixel.range)
@@ -206,6 +219,8 @@ class Caster final : public RecordProcessor {
   bool isFixed_;                    ///< all records get the same results, with or without a point
   ResultRows pointless_, pointed_;  ///< of records without and with a distance
   std::vector<Pixel> pixels_;
+  std::vector<Vec2> screens_;  ///< NaN where a record has none
+  std::vector<Vec3> directions_;
   std::vector<const RecordCamera*> cameras_;
 };
 
