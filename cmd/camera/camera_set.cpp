@@ -225,6 +225,8 @@ std::vector<std::string> CameraSet::notes(bool isPicked) const {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
+  if (const std::string others = otherWorlds(); !others.empty() && !isPicked)
+    notes.push_back(name_ + ": has the same cameras in other worlds: " + others);
   return notes;
 }
 

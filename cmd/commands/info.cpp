@@ -288,8 +288,6 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
     }
   }
   if (!rows.empty() || o.report.form() == ReportForm::json) o.report.write({{"cameras", rows}}, "cameras");
-  if (const std::string others = cameras.otherWorlds(); !others.empty() && !pick)
-    note(cameras.name() + ": has the same cameras in other worlds: " + others);
   return status;
 }
 
