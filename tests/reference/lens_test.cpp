@@ -267,7 +267,7 @@ TEST_CASE("Through random lenses pixels are the nearest doubles in either precis
   }
   forceKernels(nullptr);
   CAPTURE(seen, backward, beyond, certain, wide, finite);
-  CHECK(certain > 20000);
+  CHECK(certain > 7 * lenses);
   CHECK((3 * backward > 2 * lenses && 3 * beyond > 5 * lenses));
   CHECK((finite == seen && 3 * wide > 8 * lenses));
 }
