@@ -104,10 +104,6 @@ std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& va
            "Earth-centred; give heading, pitch and roll, or x, y, z of a map grid with "
            "\"world\": \"enu\"";
   if (!of.cameraAxes) return "";
-  const std::string_view axes = nameOf(kCameraAxesNames, *of.cameraAxes);
-  const auto* const stated = values.find<std::string_view>("cameraAxes");
-  if (stated && *stated != axes)
-    return std::string(name) + " turns the axes " + std::string(axes) + ", and cameraAxes is " + std::string(*stated);
   const Handedness own = worldOfAxes(*of.cameraAxes);
   if (own == world) return "";
   return std::string(name) + " is of a " + std::string(nameOf(kWorldNames, own)) +
@@ -143,6 +139,12 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
   if (!position) values.failAt("", "needs position");
   if (rotation) return reader.inThisWorld("rotation", axes, poseFromRotation(position->point, *rotation, axes));
   if (euler) {
+    const auto& [name, order] = *euler->order;
+    const auto* const stated = values.find<std::string_view>("cameraAxes");
+    if (stated && order.cameraAxes && *stated != nameOf(kCameraAxesNames, *order.cameraAxes))
+      values.fail("euler", std::string(name) + " turns the axes " +
+                               std::string(nameOf(kCameraAxesNames, *order.cameraAxes)) + ", and cameraAxes is " +
+                               std::string(*stated));
     if (const std::string fault = faultOfOrder(*euler->order, values, reader.hand); !fault.empty())
       values.fail("euler", fault);
     return reader.inThisWorld("euler", axes, poseFromTurns(position->point, euler->turns, axes));

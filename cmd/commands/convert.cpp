@@ -39,6 +39,7 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   Document document = withoutScreen(file);
   const OrderedJson angles = anglesOf(*o.angles, readValues(document), *file.preset, file.pose);
   orient(*document.root, "euler", Json(angles));
+  if (o.angles->second.cameraAxes) document.root->erase("cameraAxes");  // the order's own count
   (*document.root)["position"] = {file.pose->eye().x, file.pose->eye().y, file.pose->eye().z};
   if (file.worldIsEcef) (*document.root)["world"] = nameOf(kWorlds, World::ecef);
   return readCamera(document, file.reading);
