@@ -6,6 +6,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/world_options.hpp"
+#include "formats/colmap.hpp"
 #include "formats/observations.hpp"
 #include "formats/writer.hpp"
 #include "output/output_file.hpp"
@@ -89,6 +90,8 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
+  if (writer.name == "colmap" && o.camera.file() && hasColmapPoints(splitPick(*o.camera.file()).file))
+    note("colmap is written with its cameras alone: points3D and the points of images are left out");
   return writer.write(cameras, endingOf(output));
 }
 
