@@ -94,7 +94,7 @@ constexpr Row kRows[] = {
      VIEWS("extrinsic_parameters.*[0:3]", "extrinsic_parameters.*[3:6]"), NOTHING_READ},
     {"opencv", "", K_SHAPES " rvecs.0:3|rVector.0:3|rotation_vecs.0:3 !projection_matrix",
      VIEWS("rvecs.*|rVector.*|rotation_vecs.*", "tvecs.*|tVector.*|translation_vecs.*"), NOTHING_READ},
-    {"matlab", "a camera of MATLAB, as it shows it or as JSON of toStruct", "RadialDistortion TangentialDistortion",
+    {"matlab", "a camera of MATLAB", "RadialDistortion TangentialDistortion",
      "*: " MATLAB
      ", cameraFromWorld.rotationVector=RotationVectors.*, cameraFromWorld.translation=TranslationVectors.*\nK: " MATLAB,
      "WorldPoints WorldUnits Estimate* Num* Reproj* Detected* Version RotationMatrices IntrinsicMatrix FocalLength "

@@ -74,7 +74,7 @@ constexpr Sample kSamples[] = {
                    "b": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "t": [4, 5, 6]}})"},
     {"matlab",
      R"({"K": [[100, 0, 51], [0, 110, 26], [0, 0, 1]], "RadialDistortion": [0.1, 0.2, 0.3], "TangentialDistortion": [0.01, 0.02],
-                   "ImageSize": [50, 100], "EstimateTangentialDistortion": 1, "RotationVectors": [[0.1, 0.2, 0.3]], "TranslationVectors": [[1, 2, 3]]})"},
+                   "ImageSize": [50, 100], "RotationVectors": [[0.1, 0.2, 0.3]], "TranslationVectors": [[1, 2, 3]]})"},
     {"ros",
      R"({"image_width": 100, "image_height": 50, "camera_matrix": {"rows": 3, "cols": 3, "data": [100, 0, 50, 0, 110, 25, 0, 0, 1]},
                 "distortion_model": "plumb_bob", "distortion_coefficients": {"rows": 1, "cols": 5, "data": [0.1, 0.2, 0.01, 0.02, 0.3]},
@@ -289,6 +289,10 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       {.option = "FILE"}, {});
   (void)agreed->document(0);
   CHECK(agreed->unreadOf(0).empty());
+  // A choice of the calibration bends nothing, and all that is not read is named at once.
+  CHECK(messageOf(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "estimateSkew": 1})").empty());
+  CHECK(messageOf(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "skew": 1, "t1": 2, "pitch": 3})")
+            .ends_with("others like it: skew, t1"));
   // Two names of one lens, of which one has zeros at its end.
   CHECK(cameraOf(R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "dist": [0.1, 0.2, 0, 0, 0],
                      "D": [0.1, 0.2, 0, 0]})")["distortion"]["k"][1] == 0.2);
@@ -341,7 +345,7 @@ TEST_CASE("forms of formats that are less common are read") {
             "translation": [1, 2, 3], "distortions": [0.1, 0, 0, 0, 0]}])",
        "a", 1, R"("rotationVector":[0.1,0.2,0.3])"},
       {R"([{"x": 1, "y": 2, "z": 3, "pitch": 4, "yaw": 5, "roll": 6, "order": "unreal", "fovX": 60, "w": 100, "h": 50}])",
-       "", 1, R"("convention":"unreal","euler":{"degrees":[4.0,5.0,6.0],"order":"unreal"})"},
+       "", 1, R"("convention":{"preset":"unreal"},"euler":{"degrees":[4.0,5.0,6.0],"order":"unreal"})"},
       {R"([{"Image": "a", "X": 1, "Y": 2, "Z": 3, "OMEGA": 4, "Phi": 5, "KAPPA": 6, "r11": 0.9}])", "a", 1,
        R"("euler":{"degrees":[4.0,5.0,6.0],"order":"opk"})"},
       {R"({"lens": {"camera_matrix": [], "size": []}, "fisheye_params": {"camera_matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]],
