@@ -220,13 +220,13 @@ std::vector<std::string> CameraSet::notes(bool isPicked) const {
         return patch.path == "cameraAxes" || patch.path.starts_with("convention");
       });
   if (import_.hasUnclearAxes && !statesAxes)
-    notes.push_back(name_ +
-                    ": rotations are read with axes RUB: right, up, back; --set cameraAxes=RDF if the camera looks "
-                    "along its z");
+    notes.push_back(name_ + ": " + kAxesNote);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !isPicked) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
+  if (const std::string others = otherWorlds(); !others.empty() && !isPicked)
+    notes.push_back(name_ + ": has the same cameras in other worlds: " + others);
   return notes;
 }
 

@@ -17,6 +17,10 @@
 
 namespace viewproj::cmd {
 
+/// Where turns are in our axes, and may mean those of others.
+inline constexpr const char* kAxesNote =
+    "rotations are read with axes RUB: right, up, back; --set cameraAxes=RDF if the camera looks along its z";
+
 /// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty

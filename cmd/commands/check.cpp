@@ -92,7 +92,9 @@ int runCheck(const CheckOptions& o) {
   const auto set = o.camera.readAll();
   const CameraSet& cameras = *set.first;
   const std::string forSeveral = "; --camera-by FIELD names each pair's (convert --to observations writes such pairs)";
-  const CameraFile file = o.camera.readOne(cameras, o.cameraBy ? 0 : cameras.choose(set.second, forSeveral));
+  const std::vector<std::size_t> picked = cameras.chooseAll(set.second);
+  const CameraFile file =
+      o.camera.readOne(cameras, o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   mistakes::PairReport all = o.cameraBy ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);
@@ -103,6 +105,8 @@ int runCheck(const CheckOptions& o) {
     const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
     const auto which = cameras.find(name);
     if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
+    if (std::find(picked.begin(), picked.end(), *which) == picked.end())
+      throw RecordError(0, "names the camera '" + name + "', which is not picked");
     all.add(point, pixel, line, *which, [&] {
       CameraFile each = o.camera.readOne(cameras, *which);
       if (each.worldIsEcef != file.worldIsEcef)

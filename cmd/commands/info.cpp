@@ -208,9 +208,11 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
   OrderedJson eye{{"eye", hasItsPose ? asJson(pose->eye()) : OrderedJson()}};
   try {
     const CameraFile file = readCamera(copied(document), reading);
+    // Focal lengths in pixels have no field of view without the picture's size.
+    const bool hasFov = file.viewport || row["type"] != "intrinsics";
     if (const std::optional<Camera> camera = standIn(file)) {
-      row["fovX"] = camera->projection().fov(Fov::horizontal);
-      row["fovY"] = camera->projection().fov(Fov::vertical);
+      if (hasFov) row["fovX"] = camera->projection().fov(Fov::horizontal);
+      if (hasFov) row["fovY"] = camera->projection().fov(Fov::vertical);
       const Intrinsics k = camera->intrinsics();
       if (file.viewport) row.update({{"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}});
     }
@@ -286,8 +288,6 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
     }
   }
   if (!rows.empty() || o.report.form() == ReportForm::json) o.report.write({{"cameras", rows}}, "cameras");
-  if (const std::string others = cameras.otherWorlds(); !others.empty() && !pick)
-    note(cameras.name() + ": has the same cameras in other worlds: " + others);
   return status;
 }
 

@@ -54,6 +54,21 @@ std::string fileOf(const Node& row) {
   return file.empty() ? textAt(row, "SourceFile") : file;
 }
 
+/// Degrees of the side that the letter beside them names, which the group EXIF has without a sign.
+double degreesOf(const Node& row, double degrees, const std::string& name) {
+  const std::string side = textAt(row, name + "Ref");
+  const bool isBelow = !side.empty() && (side[0] == 'S' || side[0] == 'W');
+  return isBelow ? -std::fabs(degrees) : degrees;
+}
+
+/// What would move pixels, and is not known to be in the other numbers.
+void requirePlain(const Node& row) {
+  if (const auto turn = cellOf(row, "Orientation"); turn && *turn != 1)
+    row.find("Orientation")->fail("turns the picture when it is shown; expected 1: turn the file, or leave this out");
+  if (const auto zoom = cellOf(row, "DigitalZoomRatio"); zoom && *zoom > 1)
+    row.find("DigitalZoomRatio")->fail("may be in the focal length or not; expected 1, or leave it out");
+}
+
 /// A row of exiftool's table.
 Json pictureOf(const Node& row) {
   const auto cell = [&](std::string_view name, const std::string& otherwise = "") {
@@ -62,11 +77,12 @@ Json pictureOf(const Node& row) {
       throw InputError(row.document().name + ": " + fileOf(row) + ": needs " + std::string(name) + otherwise);
     return *number;
   };
+  requirePlain(row);
   const auto altitude = cellOf(row, "AbsoluteAltitude");
   Json camera{
       {"position",
-       {{"lat", cell("GPSLatitude")},
-        {"lon", cell("GPSLongitude")},
+       {{"lat", degreesOf(row, cell("GPSLatitude"), "GPSLatitude")},
+        {"lon", degreesOf(row, cell("GPSLongitude"), "GPSLongitude")},
         {hasGeoid() ? "altitude" : "height", altitude ? *altitude : cell("GPSAltitude", " or AbsoluteAltitude")}}},
       {"heading", cell("GimbalYawDegree")},
       {"pitch", cell("GimbalPitchDegree")},

@@ -300,21 +300,31 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
                                (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
                                " keeps both)";
   result.hasUnclearAxes = false;
+  const bool isKept = std::any_of(factors->begin(), factors->end(), [&](const PoseFactor& factor) {
+    return factor.isOfCamera && factor.file->name == name;
+  });
+  const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
+    std::string names = unread ? unread(which) : "";
+    if (!isKept && hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
+    return names;
+  };
   const auto moved = [&](const CameraEntry& camera, std::size_t number) {
     return [document = camera.document, factors, number, direction = opening.direction] {
       return atPose(document(), *factors, number, direction);
     };
   };
   if (!several) {
-    result.unread = [unread = result.unread, cameras = result.cameras, replaced](std::size_t which) {
-      std::string names = unread ? unread(which) : "";
-      if (hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
-      return names;
-    };
+    result.unread = unreadOf;
     for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
     return result;
   }
   Import all;
+  // Of the camera's file, though the poses' gives the names; once, for all of them.
+  all.unread = [unreadOf, name, isTold = std::make_shared<bool>(false)](std::size_t) -> std::string {
+    const std::string names = *isTold ? "" : unreadOf(0);
+    *isTold = true;
+    return names.empty() ? "" : "of " + name + ": " + names;
+  };
   name = several->file->name;
   for (std::size_t i = 0; i < several->cameras.size(); ++i) {
     const CameraEntry& pose = several->cameras[i];

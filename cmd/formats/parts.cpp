@@ -33,12 +33,15 @@ using FoundParts = std::map<std::string, Found, std::less<>>;
 /// What the file holds for one camera, by part.
 class Parts {
  public:
-  explicit Parts(FoundParts found) : found_(std::move(found)) {}
+  Parts(FoundParts found, const Node& root) : found_(std::move(found)), root_(root) {}
 
   bool has(std::string_view part) const { return found_.contains(part); }
   const Found& operator[](std::string_view part) const { return found_.find(part)->second; }
-  /// The value that messages name.
-  const Node& node(std::string_view part) const { return (*this)[part].nodes.front(); }
+  /// The value that messages name: of numbers that the line itself has, the file.
+  const Node& node(std::string_view part) const {
+    const std::vector<Node>& nodes = (*this)[part].nodes;
+    return nodes.empty() ? root_ : nodes.front();
+  }
   std::string text(std::string_view part) const { return has(part) ? (*this)[part].text : ""; }
 
   /// The numbers of a part: as many as one of these; none: any.
@@ -72,6 +75,7 @@ class Parts {
 
  private:
   FoundParts found_;
+  Node root_;
 };
 
 Json projectionOfK(const Parts& parts) {
@@ -401,7 +405,7 @@ std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> part
   for (const std::string& star : stars) {
     auto camera = line->entry(star, withStar(pattern, star));
     if (!camera) continue;
-    camera->document = [line, star] { return cameraOf(Parts(line->find(star)), line->form); };
+    camera->document = [line, star] { return cameraOf(Parts(line->find(star), line->root), line->form); };
     cameras.push_back(std::move(*camera));
   }
   return cameras;

@@ -137,13 +137,18 @@ extern const Format kPoses{"poses", "poses without a lens",
                            "*",     [](const Node& root) { return holdsPoses(root) && !kTable.recognises(root); }};
 
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
-  const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) {
-    return parseNumber(camera.label()).has_value();
+  // Poses of a picked camera are called CAMERA/TIME.
+  const auto timeOf = [](const WrittenCamera& camera) {
+    const std::string label = camera.label();
+    return label.substr(label.rfind('/') + 1);
+  };
+  const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
+    return parseNumber(timeOf(camera)).has_value();
   });
   std::string text = "# timestamp tx ty tz qx qy qz qw\n";
   for (const WrittenCamera& camera : cameras) {
     const auto [columns, place] = worldFromCamera(camera.pose, CameraAxes::RDF);
-    text += areTimes ? camera.label() : camera.number;
+    text += areTimes ? timeOf(camera) : camera.number;
     for (std::size_t i = 0; i < 3; ++i) text += " " + formatNumber(place[i]);
     for (const double number : quaternionOf(columns)) text += " " + formatNumber(number);
     text += "\n";

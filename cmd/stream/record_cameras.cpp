@@ -7,6 +7,7 @@
 #include "camera/field_columns.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_pose.hpp"
+#include "output/output_file.hpp"
 #include "output/record_writer.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -162,6 +163,22 @@ const RecordCamera& RecordCameras::cameraOf(std::size_t which) const {
   return *kept.camera;
 }
 
+void RecordCameras::noteAxes(const std::vector<CameraField>& fields) const {
+  const auto has = [&](std::initializer_list<std::string_view> tops) {
+    return std::any_of(tops.begin(), tops.end(), [&](std::string_view top) {
+      return std::any_of(fields.begin(), fields.end(), [&](const CameraField& field) {
+        return field.path == top || field.path.starts_with(std::string(top) + ".");
+      });
+    });
+  };
+  const bool statesAxes = base_.root->contains("cameraAxes") || base_.root->contains("convention");
+  const bool isOfPixels = valueAt(*base_.root, "projection.fx") || has({"projection.fx"});
+  if (statesAxes || !isOfPixels || has({"cameraAxes", "convention"}) ||
+      !has({"rotation", "worldFromCamera", "cameraFromWorld"}))
+    return;
+  std::call_once(*axesNoted_, [] { note(kAxesNote); });
+}
+
 std::vector<CameraField> RecordCameras::locate(const RecordView& record, const NumberPlan& plan) const {
   if (setup_.choice == CameraChoice::named) return {{cameraFieldOf(setup_.field, record)}};
   if (setup_.choice != CameraChoice::own) return {};
@@ -183,6 +200,7 @@ std::vector<CameraField> RecordCameras::locate(const RecordView& record, const N
       fields.push_back({i, path});
   if (fields.empty())
     throw RecordError(0, "has no field of a camera, such as heading, target.x or fovY" + fieldsNote(schema));
+  noteAxes(fields);
   if (const auto again = firstRepeated(fields, [](const CameraField& field) -> std::string_view { return field.path; }))
     throw RecordError(record.offset(fields[*again].field), "has " + fields[*again].path + " of the camera twice");
   return fields;

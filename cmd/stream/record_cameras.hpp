@@ -75,6 +75,8 @@ class RecordCameras {
   std::vector<CameraField> locate(const RecordView& record, const NumberPlan& plan) const;
 
  private:
+  /// Once, where records have turns beside focal lengths in pixels, and nothing says their axes.
+  void noteAxes(const std::vector<CameraField>& fields) const;
   friend class CamerasOfBatch;
   struct Kept {
     std::once_flag once = {};
@@ -96,6 +98,7 @@ class RecordCameras {
   std::vector<bool> isPicked_;
   std::vector<const RecordCamera*> all_;  ///< one, each
   Document base_;                         ///< own
+  std::unique_ptr<std::once_flag> axesNoted_ = std::make_unique<std::once_flag>();
 };
 
 /// The cameras of the records that one worker collects.

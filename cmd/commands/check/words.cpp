@@ -9,6 +9,7 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
+constexpr std::string_view kUpright[] = {"heading", "pitch", "height"};  // of mistakes: about up, or along it
 constexpr double kSmall = 1e-9;  // of numbers beside larger ones
 constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
@@ -128,6 +129,15 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
   return text;
 }
 
+/// Of words that mean an up which no field says, where worlds differ: the preset's is that of its cameras.
+std::string upOf(const CameraFile& file, std::string_view mistake) {
+  const bool isSaid = knowsUp(file) || valueAt(*file.document.root, "up") || file.preset->up.y >= 0;
+  const bool needsUp = std::any_of(std::begin(kUpright), std::end(kUpright), [&](std::string_view name) {
+    return mistake.find(name) != mistake.npos;
+  });
+  return isSaid || !needsUp ? "" : ", if up is -y";
+}
+
 using Term = std::pair<double, const char*>;
 
 /// "0.5x + 3", "720 - y"
@@ -170,7 +180,8 @@ std::string shownLines(std::span<const std::size_t> lines) {
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
   std::string words =
-      sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera);
+      sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera) +
+      upOf(file, e.hypothesis.mistake);
   if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";
