@@ -88,7 +88,8 @@ std::string nameOf(const Node& row) {
   return "";
 }
 
-constexpr std::string_view kOpk[] = {"omega", "phi", "kappa"}, kRpy[] = {"roll", "pitch", "yaw"};
+constexpr std::string_view kOpk[] = {"omega", "phi", "kappa"}, kRpy[] = {"roll", "pitch", "yaw"},
+                           kPyr[] = {"pitch", "yaw", "roll"};
 
 bool isOpk(const Node& row) {
   return std::all_of(std::begin(kOpk), std::end(kOpk), [&](std::string_view name) { return cellAt(row, name); });
@@ -102,9 +103,12 @@ std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf
   if (!yaw || isCompass || cellAt(row, "heading")) return std::nullopt;
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
+  if (name == "unreal") return {{name, kPyr}};
   if (name != "rpy")
     (order ? *order : *yaw)
-        .fail("expected a column order beside yaw: rpy, turns about x, y, z, or heading, a compass's");
+        .fail(
+            "expected a column order beside yaw: rpy, turns about x, y, z, unreal, of Unreal and CARLA, or heading, a "
+            "compass's");
   return {{name, kRpy}};
 }
 
@@ -249,6 +253,7 @@ Json documentOf(const Node& row, const Header& header) {
   if (header.onMap) fields.emplace("world", "enu");
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  if (turns && turns->first == "unreal") fields.emplace("convention", "unreal");
   if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};
   Document camera{row.document().name + (row.path().empty() ? "" : ": " + row.path()),
                   std::make_shared<Json>(Json::object())};

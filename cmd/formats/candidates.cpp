@@ -21,7 +21,7 @@ constexpr std::string_view
     kOfD =
         "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs distcoef distcoefs coeff "
         "coeffs lens kappa radial dc coef coefs coefficients kc",
-    kOfS = "size resolution res dimension dimensions shape wh hw image",
+    kOfS = "size sz resolution res dimension dimensions shape wh hw image",
     kOfR = "r rot rotation rotate rmat rotmat camrot",
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
     kOfQ = "q quat quaternion quaternions orientation rotation qvec rot wxyz xyzw qwxyz qxyzw",
@@ -80,6 +80,13 @@ std::string_view withoutUnit(std::string_view name) {
   return name;
 }
 
+/// A tangential coefficient that has no name of its own: "tangential distortion coefficient x".
+std::string_view tangentialOf(std::string_view name) {
+  if (!hasWord(name, "tangential")) return "";
+  const std::string last = wordsOf(name).back();
+  return isAmong(last, "x 1") ? "p1" : isAmong(last, "y 2") ? "p2" : "";
+}
+
 /// An angle of view by a word of its name: fovX, fovY, or fov where no other word says which.
 std::string_view angleOf(std::string_view name) {
   if (!hasWord(name, "fov")) return "";
@@ -112,7 +119,8 @@ bool isFourOfK(const std::vector<double>& k) {
   return areAll(k, [](double x) { return x > 20; }) && k[0] / k[1] > 0.2 && k[0] / k[1] < 5;
 }
 bool isLens(const std::vector<double>& d) {
-  return areAll(d, [](double x) { return std::fabs(x) < 1e5; });
+  const double most = d.size() == 2 ? 1e2 : 1e5;  // two larger ones are a place or a size
+  return std::all_of(d.begin(), d.end(), [most](double x) { return std::fabs(x) < most; });
 }
 bool isSize(const std::vector<double>& s) {
   return areAll(s, [](double x) { return x == std::floor(x) && x >= 16 && x <= 65535; });
@@ -131,25 +139,26 @@ struct Look {
   bool mayBeObject = true;
   std::string_view suffix = "";
 };
-constexpr Look kLooks[] = {{"K", "9", isK, kOfK, 1, Look::numbers, "", "", false},
-                           {"K", "9", isKByColumns, kOfK, 1, Look::numbers, "", "", false, "^T"},
-                           {"R", "9", isRotation, kOfR, 0, Look::numbers, "", "", false},
-                           {"K", "12 16", isK, kOfK, 0, Look::numbers, "p projection"},
-                           {"X", "12 16", isRigid, kOfX, 1, Look::numbers},
-                           {"P", "12 16", isTaken, kOfP, 1, Look::numbers},
-                           {"X", "16", isRigidByColumns, kOfX, 1, Look::numbers, "", "", true, "^T"},
-                           {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix"},
-                           {"T", "3", isAny, kOfT},
-                           {"E", "3", isAny, kOfE},
-                           {"direction", "3", isAny, "direction dir forward lookdir"},
-                           {"target", "3", isAny, "target lookat look looks"},
-                           {"up", "3", isAny, "up vup upvector headup viewup camup cameraup"},
-                           {"Q", "4", isUnit, kOfQ},
-                           {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
-                           {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "", false},
-                           {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
-                           {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
-                           {"C", "2", isCentre, "cc principalpoint princpt pp center c p", 0, Look::letters}};
+constexpr Look kLooks[] = {
+    {"K", "9", isK, kOfK, 1, Look::numbers, "", "", false},
+    {"K", "9", isKByColumns, kOfK, 1, Look::numbers, "", "", false, "^T"},
+    {"R", "9", isRotation, kOfR, 0, Look::numbers, "", "", false},
+    {"K", "12 16", isK, kOfK, 0, Look::numbers, "p projection"},
+    {"X", "12 16", isRigid, kOfX, 1, Look::numbers},
+    {"P", "12 16", isTaken, kOfP, 1, Look::numbers},
+    {"X", "16", isRigidByColumns, kOfX, 1, Look::numbers, "", "", true, "^T"},
+    {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix translation trans position"},
+    {"T", "3", isAny, kOfT},
+    {"E", "3", isAny, kOfE},
+    {"direction", "3", isAny, "direction dir forward lookdir"},
+    {"target", "3", isAny, "target lookat look looks"},
+    {"up", "3", isAny, "up vup upvector headup viewup camup cameraup"},
+    {"Q", "4", isUnit, kOfQ},
+    {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
+    {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "c center centre pp principal", false},
+    {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
+    {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
+    {"C", "2", isCentre, "cc principalpoint princpt pp center c p", 0, Look::letters}};
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 
@@ -162,7 +171,7 @@ bool isKindWord(std::string_view word) {
 
 /// A path that --parts can name.
 bool isNameable(std::string_view step) {
-  return !step.empty() && step.find_first_of(",+|*~?=#[]^\"' \t\n") == std::string_view::npos;
+  return !step.empty() && step.find_first_of(",+|*~?=#[]^\"'\t\n") == std::string_view::npos;
 }
 
 class Finder {
@@ -211,6 +220,8 @@ class Finder {
         add(std::string(other), steps, n, 1);
       else if (const std::string_view beside = scalarAmong(wordsOf(key)).first; !beside.empty())
         add(std::string(beside), steps, n, 1);
+      else if (const std::string_view tangential = tangentialOf(key); !tangential.empty())
+        add(std::string(tangential), steps, n, 1);
       else if (const std::string_view angle = angleOf(key); !angle.empty())
         add(std::string(angle), steps, n, 1);
       return;
@@ -234,7 +245,9 @@ class Finder {
       found_.back()->isOrdered = value.is_object();
     }
     // Items of a list may be thousands of points.
-    if (found_.size() == before && n.size() > 2 && noise == 0 && !isDigits(steps.back())) add("?", steps, n, 0);
+    if (found_.size() == before && (n.size() > 2 || hasWord(key, "dist distortion")) && noise == 0 &&
+        !isDigits(steps.back()))
+      add("?", steps, n, 0);
   }
 
   /// The name that says what a value is: of an item of a list the list's, of "coefficients" the one above.

@@ -142,6 +142,7 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
     add("T", together(box, {"tx", "ty", "tz"}), 2);
     if (!box.contains("w")) add("E", together(box, {"x", "y", "z"}), 1);  // w: x y z of a quaternion
+    add("euler", together(box, {"pitch", "yaw", "roll"}), 2);
     add("E", together(box, {"gx", "gy", "pz"}), 1);
   }
 }
@@ -156,7 +157,8 @@ constexpr std::string_view
         "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
         "velo_to_cam velo2cam _to_cam cam_from_rig",
-    kOfNerf = "transform_matrix matrix_world camera_to_world", kFisheye = "fisheye equidistant kannala \"kb4\"";
+    kOfNerf = "transform_matrix matrix_world camera_to_world", kFisheye = "fisheye equidistant kannala \"kb4\"",
+    kOfUnreal = "unreal carla sensor.camera image_size_x";
 
 /// Whether a text has one of these in it.
 bool hasPart(std::string_view text, std::string_view parts) {
@@ -181,6 +183,12 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
   return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";
 }
 
+std::string sumOf(const std::vector<Chosen>& terms) {
+  std::string sum;
+  for (const Chosen& each : terms) sum += (sum.empty() ? "" : "+") + each->path();
+  return sum;
+}
+
 struct Line {
   std::vector<std::pair<std::string, std::string>> parts;
   double score = 0;
@@ -188,12 +196,10 @@ struct Line {
   Chosen first;
   std::vector<Chosen> used;
   std::vector<Match> poses{};
-  bool isNerf = false;
+  bool isNerf = false, isUnreal = false;
 
   void add(const std::string& name, const std::vector<Chosen>& chosen, double value, const std::string& suffix = "") {
-    std::string path;
-    for (const Chosen& each : chosen) path += (path.empty() ? "" : "+") + each->path();
-    parts.emplace_back(name, path + suffix);
+    parts.emplace_back(name, sumOf(chosen) + suffix);
     score += value;
     used.insert(used.end(), chosen.begin(), chosen.end());
   }
@@ -215,7 +221,8 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
   places.resize(std::min(places.size(), kMost));
   for (const auto& [turnScore, turn] : turns)
     for (const auto& [placeScore, place] : places) {
-      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() || turn->tag != place->tag)
+      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() ||
+          turn->tag != place->tag || turn->path() == place->path())
         continue;
       const bool isBeside =
           std::equal(turn->steps.begin(), turn->steps.end() - 1, place->steps.begin(), place->steps.end() - 1);
@@ -328,7 +335,18 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
   }
   if (!named) return;
   std::vector<Chosen> k = together(*named, {"k1", "k2", "p1", "p2"});
+  // k4 to k6 are of the rational lens, with p1 and p2 or without.
+  const bool isRational = named->contains("k6") && !together(*named, {"k1", "k2", "k3", "k4", "k5"}).empty();
+  if (k.empty() && isRational) {
+    line.add("distortion", together(*named, {"k1", "k2"}), score,
+             "+0+0+" + sumOf(together(*named, {"k3", "k4", "k5", "k6"})));
+    for (const Chosen& each : together(*named, {"k3", "k4", "k5", "k6"})) line.used.push_back(each);
+    return;
+  }
   if (!k.empty()) {
+    if (hasWord(k[2]->path(), "tangential"))
+      line.ask.push_back(k[2]->path() + ", " + k[3]->path() +
+                         ": taken as p1 and p2, as Azure Kinect has them; else exchange them");
     for (const char* more : {"k3", "k4", "k5", "k6"})
       if (named->contains(more) && (more[1] == '3' || named->contains("k6"))) k.push_back(named->find(more)->second);
     return line.add("distortion", k, score);
@@ -361,6 +379,33 @@ void askAboutLens(Line& line, const Candidate& lens, const Candidates& all, std:
         std::equal(other->steps.begin(), other->steps.end() - 1, line.first->steps.begin(),
                    line.first->steps.end() - 1))
       line.ask.push_back(other->path() + ": this K may be the one that the distortion goes with");
+}
+
+/// A text with several lenses, of which a line takes the first.
+void askAboutOthers(Line& line, const Document& file) {
+  const std::string path = line.first->path();
+  const auto others = file.isPlainText ? valueAt(Node(file), path + "#") : std::nullopt;
+  if (others && others->json().is_array())
+    line.ask.push_back(path + ": the text has " + std::to_string(others->size() + 1) +
+                       " of them, for as many lenses; this is the first. " + path +
+                       "#.0 is the second, and so on, of "
+                       "each name; or keep one lens of the text");
+}
+
+/// The place and the turns of a camera in Unreal or CARLA, whose angle of view is that across.
+void putUnreal(Line& line, const Candidates& all) {
+  if (line.first->kind == "fov") {
+    line.parts.front().first = "fovX";
+    line.ask = {line.first->path() + ": across, as Unreal and CARLA have it"};
+  }
+  const auto eye = bestOf(*line.first, all, "E"), turns = bestOf(*line.first, all, "euler");
+  if (!line.poses.empty() || !eye || !turns) return;
+  line.add("position", eye->parts, eye->score);
+  line.add("euler", turns->parts, turns->score);
+  line.ask.push_back(
+      turns->parts.front()->path() +
+      ": taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
+  line.isUnreal = true;
 }
 
 /// The lines that begin with a lens.
@@ -446,8 +491,9 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
   std::vector<Line> lines = lensLines(all, boxes);
   if (lines.size() > kMost) lines.resize(kMost);
   const std::string text = lowered(file.root->dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 1 << 16));
-  const bool isFisheye = hasPart(text, kFisheye);
+  const bool isFisheye = hasPart(text, kFisheye), isUnreal = hasPart(text, kOfUnreal);
   for (Line& line : lines) {
+    askAboutOthers(line, file);
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
@@ -470,6 +516,7 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
           if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
           break;
         }
+      if (isUnreal) putUnreal(line, all);
     }
   }
   sharePoses(lines);
@@ -546,6 +593,7 @@ Proposal proposeParts(const Document& file) {
     for (const auto& [name, path] : line.parts)
       proposed.parts += (proposed.parts.empty() ? "" : ", ") + name + "=" + path;
     if (line.isNerf) proposed.set = {"cameraAxes=RUB", "viewport.pixelCenter=0.5"};
+    if (line.isUnreal) proposed.set = {"convention=unreal", "euler.order=unreal"};
     proposed.decide = line.ask;
     proposed.cameras = std::max<std::size_t>(1, line.first->star.size());
     proposed.hasLens = !isPoseKind(line.first->kind);
@@ -567,10 +615,11 @@ Proposal proposeParts(const Document& file) {
     const std::string path = each->path(), box = path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.') + 1);
     // Numbers of no kind and single ones are left out beside the parts that are used, and above them.
     const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up"),
-               isBeside = isAmong(each->kind, "? x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading");
+               isBeside = isAmong(
+                   each->kind, "? x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading k1 k2 k3 k4 k5 k6 p1 p2");
     const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() &&
-                        (isKind || (isBeside && isUsedBelow(box))) && !used.contains(bareOf(*each)) &&
-                        !isUsedBelow(path + ".") &&
+                        (isKind || (isBeside && (isUsedBelow(box) || hasWord(path, "dist distortion")))) &&
+                        !used.contains(bareOf(*each)) && !isUsedBelow(path + ".") &&
                         std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
     if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
       proposal.leftOut.push_back(path);

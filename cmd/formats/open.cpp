@@ -111,7 +111,7 @@ Import importParts(const Node& root, const std::string& line) {
 
 [[noreturn]] void failUnknown(const Document& file) {
   throw UnknownFile(file.name +
-                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
+                        ": is not a camera file of a known kind; viewproj info FILE tells what is in it, viewproj help "
                         "formats lists the kinds",
                     file);
 }
@@ -352,12 +352,15 @@ std::unique_ptr<CameraSet> openDocument(Document document, const Opening& openin
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   if (opening.parts && !patches.readAs.empty())
-    throw UsageError(
-        "--parts makes a camera in the convention opencv; leave out --read-as, or say --set cameraAxes=RUB for the "
-        "axes of "
-        "OpenGL");
+    throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as, or say " +
+                     (patches.readAs == "unreal" || patches.readAs == "unity"
+                          ? "--set convention=" + patches.readAs + " --set euler.order=" + patches.readAs
+                          : "--set cameraAxes=RUB for the axes of OpenGL"));
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
-  if (!model) return openDocument(readTree(source, opening.option, true), opening, std::move(patches));
+  if (!model)
+    return openDocument(
+        readTree(source, opening.option, {.mayBeFaulty = true, .mayBeRefused = opening.parts.has_value()}), opening,
+        std::move(patches));
   if (!patches.readAs.empty()) failPreset(source, "a reconstruction of COLMAP");
   const auto file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
   return cameraSet(file, openColmap(Node(*file)), opening, std::move(patches));

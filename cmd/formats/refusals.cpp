@@ -16,7 +16,7 @@ constexpr Refusal kRefusals[] = {
     {"version https://git-lfs", true, "is a pointer of Git LFS, not the file itself; git lfs pull fetches it"},
     {"\x80\x02|\x80\x03|\x80\x04|\x80\x05", true,
      "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
-    {"MATLAB 5.0", true, "is a MATLAB file; write its K as JSON: jsonencode(struct('K', cameraParams.Intrinsics.K))"},
+    {"MATLAB 5.0", true, "is a MATLAB file; write the camera as JSON: jsonencode(toStruct(cameraParams))"},
     {"SQLite format 3", true, "is a database; colmap model_converter --output_type TXT writes the model of COLMAP"},
     {"\x89HDF", true, "is an HDF5 file, which is not read; write its numbers as JSON or np.savez"},
     {"PAR1", true, "is a Parquet file, which is not read; write a CSV of it"},
@@ -53,8 +53,8 @@ constexpr Refusal kRefusals[] = {
     {"type: <class 'aslam", false, "is a report of Kalibr; its camchain is read"},
     {":foc:", false,
      "is of HALCON, which is not read; give Focus / Sx, Focus / Sy, Cx and Cy to --fx, --fy, --cx and --cy"},
-    {"Intrinsics with properties:", false,
-     "is what MATLAB shows; write its K as JSON: jsonencode(struct('K', intrinsics.K))"},
+    {"fisheyeIntrinsics with properties:", false,
+     "is a fisheye of MATLAB, a lens that is not supported; undistort the pictures first"},
     {"heading,pitch,roll,f,px,py", false,
      "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side"},
     {"X/Longitude,Y/Latitude", false,
@@ -65,11 +65,17 @@ constexpr Refusal kRefusals[] = {
     {"<mujoco", false,
      "is of MuJoCo, which is not read; give fovy to --fov-y, and pos and quat to --position and --rotation"},
     {"<scene version=", false,
-     "is of Mitsuba, which is not read; give fov to --fov-x, and origin, target and up of lookat to --position, "
-     "--target and --up"},
+     "is of Mitsuba, which is not read; give origin, target and up of lookat to --position, --target and --up, and fov "
+     "to --fov-x, or to --fov-y where fov_axis is y, or smaller or larger and that is the height; "
+     "principal_point_offset_x and _y move the picture too, by fractions of its sides: give --fx, --fy, --cx, --cy"},
     {"WorldBegin", false,
-     "is of pbrt, which is not read; give LookAt to --position, --target and --up, and fov (of the shorter side) to "
-     "--fov-y or --fov-x"},
+     "is of pbrt, whose world is left-handed, and which is not read; give --convention d3d (opengl if Scale -1 1 1 "
+     "comes before LookAt), the three points of LookAt to --position, --target and --up, and fov, which is of the "
+     "shorter side, to --fov-x or --fov-y"},
+    {"look_at <|look_at<", false,
+     "is of POV-Ray, whose world is left-handed, and which is not read; give --convention d3d, location, look_at and "
+     "sky "
+     "(0,1,0 if it has none) to --position, --target and --up, and angle to --fov-x"},
     {"xcr:Rotation", false,
      "is of RealityCapture, which is not read; xcr:Position is the eye and xcr:Rotation cameraFromWorld by rows, "
      "FocalLength35mm / 36 and PrincipalPointU, V count the picture's larger side"},

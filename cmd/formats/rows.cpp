@@ -46,6 +46,10 @@ namespace {
 // The calibration of one camera, and the poses of N views of it.
 #define OPENCV "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES ", " MODELS
 #define VIEWS(R, T) "*: " OPENCV ", cameraFromWorld.rotationVector=" R ", cameraFromWorld.translation=" T "\nK: " OPENCV
+// MATLAB's pictures have their height first, and count pixels from 1.
+#define MATLAB                                                                            \
+  "K=FocalLength+PrincipalPoint||K||IntrinsicMatrix^T, size?=ImageSize[1,0], distortion=" \
+  "RadialDistortion[0,1]+TangentialDistortion+RadialDistortion[2:]"
 #define INTRINSICS(P) "K=" P "fx+" P "fy+" P "cx+" P "cy"
 #define ORB(C) INTRINSICS(C ".") ", size?=Camera.width+Camera.height"
 #define ORB_BROWN(C) ORB(C) ", lens?=" C ".#"
@@ -82,7 +86,7 @@ constexpr Row kRows[] = {
      K_SHAPES
      " !projection_matrix !P:12 !p:12 !rvecs.0:3 !extrinsic_parameters !rVector !T_BS !/camera_poses "
      "!rotation:4 !/0.rotation:3 !/cameraPoseARFrame !cameras.0 !poses:list !#3 !camera_data_ !image.width !class_name "
-     "!world_mat_0",
+     "!world_mat_0 !RadialDistortion",
      "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES "|distortion_coefficients.#|distortion.#|dist.#, xi?=xi|Xi, " MODELS
      ", " POSES ", near?=near, far?=far, name?=name",
      NOTHING_READ, ". r3live_vio camera * cameras.*"},
@@ -90,6 +94,12 @@ constexpr Row kRows[] = {
      VIEWS("extrinsic_parameters.*[0:3]", "extrinsic_parameters.*[3:6]"), NOTHING_READ},
     {"opencv", "", K_SHAPES " rvecs.0:3|rVector.0:3|rotation_vecs.0:3 !projection_matrix",
      VIEWS("rvecs.*|rVector.*|rotation_vecs.*", "tvecs.*|tVector.*|translation_vecs.*"), NOTHING_READ},
+    {"matlab", "a camera of MATLAB", "RadialDistortion TangentialDistortion",
+     "*: " MATLAB
+     ", cameraFromWorld.rotationVector=RotationVectors.*, cameraFromWorld.translation=TranslationVectors.*\nK: " MATLAB,
+     "WorldPoints WorldUnits Estimate* Num* Reproj* Detected* Version RotationMatrices IntrinsicMatrix FocalLength "
+     "PrincipalPoint",
+     "", 1},
     {"stereo", "a stereo calibration of OpenCV", "M1:9|K1:9|cameraMatrix1:9|camera_matrix_1:9|R1:9 !Camera.fx",
      "1: " STEREO("1", "LEFT") "\n!2: " STEREO("2",
                                                "RIGHT") ", cameraFromWorld.rotation=R, cameraFromWorld.translation=T\n"
@@ -246,6 +256,7 @@ constexpr Row kRows[] = {
 #undef ROS_SIZE
 #undef OPENCV
 #undef VIEWS
+#undef MATLAB
 #undef INTRINSICS
 #undef ORB
 #undef ORB_BROWN

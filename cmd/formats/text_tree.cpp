@@ -67,7 +67,7 @@ class TextReader {
       return;
     }
     if (readSeveral(text)) return;
-    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<");
+    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>");
     std::size_t lead = 0;
     while (lead < words.size() && !numberIn(words[lead])) ++lead;
     if (lead > 0) {
@@ -148,15 +148,18 @@ class TextReader {
       if (!heading.empty() && !name.empty()) texts.emplace_back(std::exchange(heading, ""), name);
       name.clear();
     };
+    constexpr std::string_view kMarks = " \t=:,;[{(<>)}]";
+    const bool hasAngles = text.find('>') != std::string_view::npos;  // << alone is no bracket
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];
-      if (isAmong(c, " \t=:,;[{()}]")) {
-        const bool isMark = isAmong(c, "=:"), isBracket = isAmong(c, "[{()}]");
+      if (isAmong(c, kMarks)) {
+        const bool isMark = isAmong(c, "=:"), isOpening = isAmong(c, "[{(") || (c == '<' && hasAngles),
+                   isBracket = isOpening || isAmong(c, ")}]>");
         if (isMark && !name.empty() && !heading.empty()) levels.back().heading = std::exchange(heading, "");
         constexpr std::size_t kDeepestNames = 20;
-        if (isAmong(c, "[{(")) levels.push_back({name, ""});
+        if (isOpening) levels.push_back({name, ""});
         if (levels.size() > kDeepestNames) return false;
-        if (isAmong(c, ")}]") && levels.size() > 1) levels.pop_back();
+        if (isBracket && !isOpening && levels.size() > 1) levels.pop_back();
         if (isBracket) name.clear();
         if (isAmong(c, ",;")) endName();
         goesOn = goesOn && !isBracket;
@@ -164,14 +167,14 @@ class TextReader {
         ++at;
         continue;
       }
-      const std::size_t end = std::min(text.find_first_of(" \t=:,;[{()}]", at), text.size());
+      const std::size_t end = std::min(text.find_first_of(kMarks, at), text.size());
       const std::string_view word = text.substr(at, end - at);
       const std::size_t by = word.find('x');
       at = end;
       if (const auto number = numberIn(word)) {
         if (found.empty() && name.empty() && levels.size() == 1) return false;  // a row of numbers
         add(*number);
-      } else if (by != std::string_view::npos && parseNumber(word.substr(0, by)) && parseNumber(word.substr(by + 1))) {
+      } else if (isSize(word)) {
         if (name.empty()) name = "size";
         add(*parseNumber(word.substr(0, by)));
         add(*parseNumber(word.substr(by + 1)));
@@ -198,11 +201,26 @@ class TextReader {
     return true;
   }
 
+  /// 640x480, and not the 3x3 of a matrix.
+  static bool isSize(std::string_view word) {
+    const std::size_t by = word.find('x');
+    if (by == std::string_view::npos) return false;
+    const auto width = parseNumber(word.substr(0, by)), height = parseNumber(word.substr(by + 1));
+    constexpr double kLeast = 5;  // more than a matrix has
+    return width && height && *width >= kLeast && *height >= kLeast;
+  }
+
+  static bool isPicture(std::string_view name) {
+    const std::string_view kind = name.substr(std::min(name.rfind('.'), name.size()));
+    return std::any_of(std::begin(kPictures), std::end(kPictures),
+                       [&](const char* picture) { return sameButForCase(kind, picture); });
+  }
+
   /// pose.position is a member of pose. Of one name several values are a list beside the first.
   static void put(Json& box, const std::string& name, Json value) {
     const std::size_t dot = name.find('.');
     constexpr std::size_t kLongest = 200;  // of a name that has members
-    if (name.size() < kLongest && dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
+    if (name.size() < kLongest && !isPicture(name) && dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
         isLetter(name[dot + 1])) {
       Json& inner = box[name.substr(0, dot)];
       if (inner.is_null()) inner = Json::object();
@@ -222,6 +240,8 @@ class TextReader {
     const std::string_view value = stripped(text.substr(sign + 1), " \t\r;,");
     if (!name.empty() && !value.empty()) box().emplace(name, stripped(value, "\"'"));
     key_ = name;
+    std::replace_if(
+        key_.begin(), key_.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
   }
 
   void endBlock() {
@@ -251,6 +271,8 @@ class TextReader {
     put(box(), name, std::move(value));
     block_.clear();
   }
+
+  static constexpr const char* kPictures[] = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".dng", ".bmp"};
 
   Json root_ = Json::object();
   Json* box_ = nullptr;  ///< of the last heading

@@ -146,7 +146,7 @@ void addOtherFile(const Document& file) {
   }
 }
 
-Document readTree(const std::string& source, const std::string& option, bool mayBeFaulty) {
+Document readTree(const std::string& source, const std::string& option, ReadingTree taken) {
   const bool isInline = isInlineJson(source);
   const std::string name = isInline ? option : insideFolder(source);
   Document document{isInline ? option : shownName(name), nullptr};
@@ -154,7 +154,8 @@ Document readTree(const std::string& source, const std::string& option, bool may
     readText(document, source, true);
   } else {
     std::string bytes = readWithoutGlb(name, kMostDocumentBytes);
-    if (const char* const why = refusalOf(bytes)) throw InputError(document.name + ": " + why);
+    if (const char* const why = taken.mayBeRefused ? nullptr : refusalOf(bytes))
+      throw InputError(document.name + ": " + why);
     if (isNumpy(bytes)) {
       Json arrays = readNumpy(document.name, bytes);
       document.root = std::make_shared<Json>(arrays.is_object() ? std::move(arrays) : Json{{"#1", std::move(arrays)}});
@@ -163,7 +164,7 @@ Document readTree(const std::string& source, const std::string& option, bool may
     requireNarrow(document.name, bytes);
     readText(document, std::move(bytes), false);
   }
-  if (!document.fault.empty() && !mayBeFaulty) throw UnknownFormat(document.fault, *document.text);
+  if (!document.fault.empty() && !taken.mayBeFaulty) throw UnknownFormat(document.fault, *document.text);
   unfoldMatrices(*document.root);
   return document;
 }

@@ -10,10 +10,16 @@
 
 namespace viewproj::cmd {
 
+/// What is taken of a file that no format reads.
+struct ReadingTree {
+  bool mayBeFaulty = false;   ///< of what is no JSON, YAML or XML, the text with keys
+  bool mayBeRefused = false;  ///< of a known program that is not read
+};
+
 /// Reads a file, "-" for standard input, or the JSON itself if source begins with a bracket. option: the name for
 /// inline JSON in messages. Throws InputError; files of programs that are known and not read are refused with what to
 /// do.
-Document readTree(const std::string& source, const std::string& option, bool mayBeFaulty = false);
+Document readTree(const std::string& source, const std::string& option, ReadingTree taken = {});
 
 /// Adds the members of the file beside it to a file called intri…, or extri…: the same name with the other word.
 void addOtherFile(const Document& file);

@@ -39,6 +39,7 @@ constexpr std::string_view kOfOtherPictures =
 /// Pictures that are no pinhole's, as a text or a flag names them.
 constexpr std::string_view kProjections =
     "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic";
+constexpr std::string_view kChoices = "estimate estimated has use";  // first words of what was chosen, yes or no
 constexpr std::string_view kFlags = "flip flipped mirror mirrored";
 /// Members that no format reads and that say nothing about the picture.
 constexpr std::string_view kKnown =
@@ -87,6 +88,13 @@ std::optional<double> statedOf(const Json& camera, std::string_view name) {
   const auto f = at("projection", isAcross ? "fx" : "fy"), side = statedOf(camera, isAcross ? "width" : "height");
   if (!f || !side || camera.contains("distortion")) return std::nullopt;
   return 2 * std::atan(*side / *f / 2) * 180 / std::numbers::pi;
+}
+
+/// Whether a name and its number say what was chosen, yes or no.
+bool isChoice(std::string_view name, const std::vector<double>& numbers) {
+  const std::vector<std::string> words = wordsOf(name);
+  return numbers.size() == 1 && (numbers[0] == 0 || numbers[0] == 1) && !words.empty() &&
+         isAmong(words.front(), kChoices);
 }
 
 bool areNear(double a, double b, double part, double least) {
@@ -160,10 +168,20 @@ class Unread {
       apart_.insert(&own->json());
     }
     constexpr std::size_t kMost = 8;
-    std::vector<std::string> names;
+    std::vector<std::string> names, faulty;
+    std::string fault;  // the first
     for (const std::vector<Left>* list : {&lists.left, &shared_->left})
-      for (const Left& left : *list)
-        if (!isSaidTwice(left, camera)) judge(left, lists, names);
+      for (const Left& left : *list) {
+        try {
+          if (!isSaidTwice(left, camera)) judge(left, lists, names);
+        } catch (const InputError& e) {
+          if (fault.empty()) fault = e.what();
+          if (std::find(faulty.begin(), faulty.end(), left.node.path()) == faulty.end())
+            faulty.push_back(left.node.path());
+        }
+      }
+    if (faulty.size() > 1) faulty.erase(faulty.begin()), fault += "; others like it: " + someOf(faulty, kMost);
+    if (!fault.empty()) throw InputError(fault);
     const bool isMore = names.size() > kMost;
     names.resize(std::min(names.size(), kMost));
     return joined(names) + (isMore ? " and more" : "");
@@ -293,7 +311,7 @@ class Unread {
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
       left.node.fail("is not read, and may be the camera's pose: " + wayToRead(left) + ", or take it out");
-    if (left.areMembers) return;
+    if (left.areMembers || isChoice(left.name, m)) return;
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
     const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, kRatios);

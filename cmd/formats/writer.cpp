@@ -111,7 +111,7 @@ class Places {
                            std::fabs(p.bottom() + p.top()) <= kRounding * (p.top() - p.bottom());
     if (!isCentred && lacks(kOffCentrePlace)) lack("a viewing axis off the middle of the picture" + centring());
     if (file_.viewport) requireViewport(*file_.viewport);
-    if ((writer_.places & kNeedsNear) != 0) requireNear(file_, std::string(writer_.name));
+    if ((writer_.places & kNeedsNear) != 0 && !hasDepth(p)) lack("a camera without near; --near gives it");
     if ((writer_.places & kNeedsFar) != 0 && !std::isfinite(p.zFar()))
       lack("a far plane at infinity; --far gives another");
   }

@@ -72,6 +72,9 @@ constexpr Sample kSamples[] = {
     {"opencv",
      R"({"a": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "T_world_cam": [[1, 0, 0, 1], [0, 0, -1, 2], [0, 1, 0, 3], [0, 0, 0, 1]]},
                    "b": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "t": [4, 5, 6]}})"},
+    {"matlab",
+     R"({"K": [[100, 0, 51], [0, 110, 26], [0, 0, 1]], "RadialDistortion": [0.1, 0.2, 0.3], "TangentialDistortion": [0.01, 0.02],
+                   "ImageSize": [50, 100], "RotationVectors": [[0.1, 0.2, 0.3]], "TranslationVectors": [[1, 2, 3]]})"},
     {"ros",
      R"({"image_width": 100, "image_height": 50, "camera_matrix": {"rows": 3, "cols": 3, "data": [100, 0, 50, 0, 110, 25, 0, 0, 1]},
                 "distortion_model": "plumb_bob", "distortion_coefficients": {"rows": 1, "cols": 5, "data": [0.1, 0.2, 0.01, 0.02, 0.3]},
@@ -286,6 +289,10 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       {.option = "FILE"}, {});
   (void)agreed->document(0);
   CHECK(agreed->unreadOf(0).empty());
+  // A choice of the calibration bends nothing, and all that is not read is named at once.
+  CHECK(messageOf(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "estimateSkew": 1})").empty());
+  CHECK(messageOf(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "skew": 1, "t1": 2, "pitch": 3})")
+            .ends_with("others like it: skew, t1"));
   // Two names of one lens, of which one has zeros at its end.
   CHECK(cameraOf(R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "dist": [0.1, 0.2, 0, 0, 0],
                      "D": [0.1, 0.2, 0, 0]})")["distortion"]["k"][1] == 0.2);
@@ -337,6 +344,8 @@ TEST_CASE("forms of formats that are less common are read") {
       {R"([{"name": "a", "size": [100, 50], "matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "rotation": [0.1, 0.2, 0.3],
             "translation": [1, 2, 3], "distortions": [0.1, 0, 0, 0, 0]}])",
        "a", 1, R"("rotationVector":[0.1,0.2,0.3])"},
+      {R"([{"x": 1, "y": 2, "z": 3, "pitch": 4, "yaw": 5, "roll": 6, "order": "unreal", "fovX": 60, "w": 100, "h": 50}])",
+       "", 1, R"("convention":{"preset":"unreal"},"euler":{"degrees":[4.0,5.0,6.0],"order":"unreal"})"},
       {R"([{"Image": "a", "X": 1, "Y": 2, "Z": 3, "OMEGA": 4, "Phi": 5, "KAPPA": 6, "r11": 0.9}])", "a", 1,
        R"("euler":{"degrees":[4.0,5.0,6.0],"order":"opk"})"},
       {R"({"lens": {"camera_matrix": [], "size": []}, "fisheye_params": {"camera_matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]],
@@ -390,7 +399,7 @@ TEST_CASE("poses are read from what people hold, and the option's direction coun
 }
 
 TEST_CASE("numbers mean what the format says") {
-  CHECK(cameraOf(kSamples[4].text)["distortion"] ==
+  CHECK(cameraOf(kSamples[5].text)["distortion"] ==
         Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
   const auto lensOf = [](std::string_view format, const std::string& pick = "") {
     for (const Sample& sample : kSamples)
@@ -408,6 +417,9 @@ TEST_CASE("numbers mean what the format says") {
   CHECK(lensOfSlam("KANNALA_BRANDT") == Json::parse(R"({"model": "fisheye", "k": [0.1, 0.2, 0.3, 0.4]})"));
   CHECK(lensOfSlam("MEI") == Json::parse(R"({"model": "omni", "xi": 1.5, "k": [0.1, 0.2], "p": [0.01, 0.02]})"));
   CHECK(lensOf("transforms") == Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
+  const Json matlab = cameraOf(kSamples[2].text, "K");
+  CHECK(matlab["distortion"] == Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
+  CHECK(matlab["viewport"] == Json::parse(R"({"pixelCenter": 1, "width": 100, "height": 50})"));
   CHECK(lensOf("opensfm")["k"] == Json::parse("[0.1, 0.2, 0.3]"));
 }
 
@@ -574,6 +586,22 @@ TEST_CASE("names that state an order or a direction up are obeyed by the finder 
   CHECK(mount.lines.at(0).parts == "K=" + lens + "fx_px+" + lens + "fy_px+" + lens + "cx_px+" + lens +
                                        "cy_px, distortion=" + lens + "k1+" + lens + "k2+0+0+" + lens + "k3");
   CHECK(mount.leftOut == std::vector<std::string>{"mount.X", "mount.Yaw"});
+  // k5 and k6 beside k1 to k4 are no fisheye's, a centre of the distortion is no coefficient, and one vector no pose.
+  const std::string pinhole = R"("fx": 900, "fy": 910, "cx": 640, "cy": 360, )";
+  CHECK(
+      proposed("{\"camera_0\": {" + pinhole + R"("k1": 5, "k2": 3, "k3": 0.2, "k4": 5.5, "k5": 4.5, "k6": 1}, "x": 1})")
+          .parts.ends_with("distortion=camera_0.k1+camera_0.k2+0+0+camera_0.k3+camera_0.k4+camera_0.k5+camera_0.k6"));
+  const Proposal centred = proposeParts(
+      readTree("{\"lens\": {" + pinhole + R"("SzIm": "1280 720", "ModRad": {"CDist": "650 355"}}})", "FILE"));
+  CHECK(centred.lines.at(0).parts == "K=lens.fx+lens.fy+lens.cx+lens.cy, size=lens.SzIm");
+  CHECK(centred.leftOut == std::vector<std::string>{"lens.ModRad.CDist"});
+  CHECK(proposed("{\"lens\": {" + pinhole + R"("Translation_Vector": [0.1, 0.2, 0.3]}})").parts ==
+        "K=lens.fx+lens.fy+lens.cx+lens.cy");
+  // The turns of Unreal and CARLA.
+  const ProposedLine carla = proposed(
+      R"({"type": "sensor.camera.depth", "location": {"x": 1, "y": 2, "z": 3}, "rotation": {"pitch": 4, "yaw": 5, "roll": 6}, "fov": 80})");
+  CHECK(carla.parts == "fovX=fov, position=location, euler=rotation.pitch+rotation.yaw+rotation.roll");
+  CHECK(carla.set == std::vector<std::string>{"convention=unreal", "euler.order=unreal"});
   // Members that many programs have do not make a file ours.
   const char* const others[] = {
       R"({"cameras": [{"focal": 900, "center": [45, 30], "distortion": [-0.1, 0.05]}, {"focal": 901, "center": [45, 30], "distortion": [-0.1, 0.06]}]})",
