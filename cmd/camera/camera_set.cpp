@@ -219,8 +219,7 @@ std::vector<std::string> CameraSet::notes(bool isPicked) const {
       !patches_.readAs.empty() || std::any_of(patches_.patches.begin(), patches_.patches.end(), [](const Patch& patch) {
         return patch.path == "cameraAxes" || patch.path.starts_with("convention");
       });
-  if (import_.hasUnclearAxes && !statesAxes)
-    notes.push_back(name_ + ": " + kAxesNote);
+  if (import_.hasUnclearAxes && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !isPicked) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);

@@ -211,8 +211,8 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
     // Focal lengths in pixels have no field of view without the picture's size.
     const bool hasFov = file.viewport || row["type"] != "intrinsics";
     if (const std::optional<Camera> camera = standIn(file)) {
-      if (hasFov) row["fovX"] = camera->projection().fov(Fov::horizontal);
-      if (hasFov) row["fovY"] = camera->projection().fov(Fov::vertical);
+      const Projection p = camera->projection();
+      if (hasFov) row.update({{"fovX", p.fov(Fov::horizontal)}, {"fovY", p.fov(Fov::vertical)}});
       const Intrinsics k = camera->intrinsics();
       if (file.viewport) row.update({{"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}});
     }

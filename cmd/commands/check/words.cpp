@@ -10,7 +10,7 @@ namespace viewproj::cmd::mistakes {
 namespace {
 
 constexpr std::string_view kUpright[] = {"heading", "pitch", "height"};  // of mistakes: about up, or along it
-constexpr double kSmall = 1e-9;  // of numbers beside larger ones
+constexpr double kSmall = 1e-9;                                          // of numbers beside larger ones
 constexpr std::size_t kLongKnown = 19;
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture"},
@@ -132,9 +132,8 @@ std::string turnsOf(const CameraFile& file, const PlainCamera& to) {
 /// Of words that mean an up which no field says, where worlds differ: the preset's is that of its cameras.
 std::string upOf(const CameraFile& file, std::string_view mistake) {
   const bool isSaid = knowsUp(file) || valueAt(*file.document.root, "up") || file.preset->up.y >= 0;
-  const bool needsUp = std::any_of(std::begin(kUpright), std::end(kUpright), [&](std::string_view name) {
-    return mistake.find(name) != mistake.npos;
-  });
+  const bool needsUp = std::any_of(std::begin(kUpright), std::end(kUpright),
+                                   [&](std::string_view name) { return mistake.find(name) != mistake.npos; });
   return isSaid || !needsUp ? "" : ", if up is -y";
 }
 
@@ -179,9 +178,8 @@ std::string shownLines(std::span<const std::size_t> lines) {
 }
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
-  std::string words =
-      sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) + turnsOf(file, e.hypothesis.camera) +
-      upOf(file, e.hypothesis.mistake);
+  std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) +
+                      turnsOf(file, e.hypothesis.camera) + upOf(file, e.hypothesis.mistake);
   if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
   return words + ", which leaves " + formatDigits(std::numbers::sqrt2 * e.rms, 2) + " px";
