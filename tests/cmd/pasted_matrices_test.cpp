@@ -127,6 +127,13 @@ constexpr Form kForms[] = {
      "%7, "
      "[2,3] = %b, [3,3] = %f}",
      "", false},
+    {"Eigen in gdb without its printers",
+     "(gdb) p T_cam_world\n$3 = {<Eigen::PlainObjectBase<Eigen::Matrix<double, 4, 4, 0, 4, 4> >> = {<Eigen::DenseBase"
+     "<Eigen::Matrix<double, 4, 4, 0, 4, 4> >> = {<No data fields>}, <No data fields>}, m_storage = {m_data = {array = "
+     "{%A}}}}, <No data fields>}\n",
+     "T_cam_world", true},
+    {"a command", "print(proj)\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
+    {"a log's level", "INFO: proj\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
     {"a log's time on each line",
      "[2024-05-01 10:00:00.123] [info] the projection\n[2024-05-01 10:00:00.123] [info] %0 %1 %2 %3\n[2024-05-01 "
      "10:00:00.123] [info] %4 %5 %6 %7\n[2024-05-01 10:00:00.124] [info] %8 %9 %a %b\n[2024-05-01 10:00:00.131] [info] "
@@ -246,6 +253,10 @@ TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
                       {"w2c", view},
                       {"T_cw", view},
                       {"T_ci", view},
+                      {"(gdb) p T_cam_world", view},
+                      {"p T_cam_world", view},
+                      {"my T_cam_world", view},
+                      {"p wTcam", pose},
                       {"T_cam_imu", view},
                       {"extrinsic", view},
                       {"viewMatrix", view},
