@@ -65,8 +65,9 @@ Frames framesAt(const Words& words, std::size_t at) {
   const auto isApart = [&](std::size_t i) { return at + i < words.size() && words[at + i].isApart; };
   const std::string_view first = word(0), second = word(1), third = word(2);
   if (isFrame(first) && isFrame(third)) {
-    if (isOneOf(second, {"to", "2"})) return {first, third, 3, isRobot(first) || isRobot(third)};
-    if (second == "from") return {third, first, 3, isRobot(first) || isRobot(third)};
+    const bool isOfRobots = isRobot(first) || isRobot(third);
+    if (isOneOf(second, {"to", "2"})) return {first, third, 3, isOfRobots || (first == "w" && second == "2")};
+    if (second == "from") return {third, first, 3, isOfRobots};
     // Of "p T_cam_world" p is a debugger's command: one name has the same marks between all its words.
     if (second == "t" && isApart(1) == isApart(2) && (!isApart(1) || isUsualFrame(first)))
       return {third, first, 3, true};
@@ -173,11 +174,15 @@ KindHint hintIn(std::string_view text, bool isName) {
     hint = lastHint(joined, {kWeakWords}, isName);
     hint.weight = kWeakly;
   }
-  for (const char* word : {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"})
+  // w2c is OpenCV's, as camera libraries of neural rendering write it; 3DGS has it transposed as world_view_transform.
+  for (const char* word :
+       {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr", "_world_view_transform", "_full_proj_transform"})
     isOfVision = isOfVision || joined.find(word) != std::string::npos;
   for (const char* word : {"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})
     if (joined.find(word) != std::string::npos) hint.axes = ViewAxes::RUF;
   if (isOfVision) hint.axes = ViewAxes::RDF;
+  hint.isTransposed =
+      joined.find("_world_view_transform") != joined.npos || joined.find("_full_proj_transform") != joined.npos;
   return hint;
 }
 

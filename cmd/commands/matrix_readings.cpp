@@ -440,6 +440,11 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
   if (r.isCentred) cost -= 3;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;
+  if (hint.isTransposed && r.layout == MatrixLayout::asWritten) cost += 6;
+  // The picture of RDF has y down, where the projection flips nothing.
+  if (hint.isTransposed && hint.axes == ViewAxes::RDF && r.kind == viewProjection &&
+      r.camera->convention.ndcY != NdcY::down)
+    cost += 0.2;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
   if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
@@ -454,6 +459,28 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
 
 bool isTurned(Vectors vectors, Storage storage) {
   return (vectors == Vectors::row) != (storage == Storage::columnMajor);
+}
+
+/// Whether a convention has a world, and a direction of depth, that the reading has not.
+bool differs(const Reading& r, const Convention& c) {
+  return (r.camera->kind != MatrixKind::projection && c.world != r.camera->convention.world) ||
+         (r.camera->lens && r.camera->lens->depthFault.empty() && c.reverseZ != r.camera->convention.reverseZ);
+}
+
+/// Whether presets have all of a reading but for its world or reverseZ, and none has all of it.
+bool isPresetExcept(const Reading& r, bool isInMemoryOrder) {
+  bool isAlmost = false;
+  for (const ConventionPreset& preset : conventionPresets()) {
+    if (!fits(r, preset.convention, isInMemoryOrder)) continue;
+    if (!differs(r, preset.convention)) return false;
+    isAlmost = true;
+  }
+  return isAlmost;
+}
+
+void sortByCost(std::vector<Reading>& readings) {
+  std::stable_sort(readings.begin(), readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.cost < b.cost; });
 }
 
 }  // namespace
@@ -505,10 +532,25 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
     if (!isNamed) std::erase_if(readings, [](const Reading& r) { return isInverse(r) && isStrange(r); });
   }
   if (!readings.empty()) result.fault.clear();
-  for (Reading& r : readings) r.cost = costOf(r, readings, hint, pasted);
-  std::stable_sort(readings.begin(), readings.end(),
-                   [](const Reading& a, const Reading& b) { return a.cost < b.cost; });
+  constexpr double kTie = 0.2;
+  for (Reading& r : readings)
+    r.cost = costOf(r, readings, hint, pasted) + (r.camera && isPresetExcept(r, pasted.isInMemoryOrder) ? kTie : 0);
+  sortByCost(readings);
   return result;
+}
+
+void orderBeside(std::vector<Reading>& readings, const std::vector<Reading>& lens) {
+  const auto isLens = [](const Reading& r) { return r.kind == ReadingKind::projection; };
+  const auto cheapest = std::find_if(lens.begin(), lens.end(), isLens);
+  if (cheapest == lens.end()) return;
+  for (Reading& r : readings) {
+    if (r.kind != ReadingKind::view && r.kind != ReadingKind::pose) continue;
+    const auto ofAxes = std::find_if(lens.begin(), lens.end(), [&](const Reading& l) {
+      return isLens(l) && l.camera->convention.view == r.camera->convention.view;
+    });
+    r.cost += ofAxes == lens.end() ? kSpoken / 2 : ofAxes->cost - cheapest->cost;
+  }
+  sortByCost(readings);
 }
 
 bool fits(const Reading& reading, const Convention& c, bool isInMemoryOrder) {

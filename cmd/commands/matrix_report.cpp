@@ -313,10 +313,15 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       matrices.push_back({std::move(matrix), std::move(found)});
   }
   const bool hasK = std::any_of(matrices.begin(), matrices.end(), isOpenCvK);
+  std::vector<std::vector<Reading>> lenses;
+  for (const ReadMatrix& m : matrices)
+    if (!m.found.readings.empty() && m.found.readings.front().kind == ReadingKind::projection)
+      lenses.push_back(m.found.readings);
   for (ReadMatrix& m : matrices) {
     std::vector<Reading>& readings = m.found.readings;
     if (readings.empty()) continue;
     if (hasK) readings = readingsOf(m.pasted, true).readings;
+    for (const std::vector<Reading>& lens : lenses) orderBeside(readings, lens);
     if (question.readAs) readings = readingsIn(std::move(readings), *question.readAs, m.pasted.isInMemoryOrder);
     if (!question.which.empty())
       std::erase_if(readings, [&](const Reading& r) {

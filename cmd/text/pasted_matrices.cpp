@@ -38,16 +38,17 @@ bool hasWord(std::string_view line) {
 
 /// "(gdb) p T_cam", "[INFO] T_cam" and "print(T_cam" without the prompt, the level of a log and the command.
 std::string_view withoutCommand(std::string_view line) {
-  static const std::regex prompt(R"(^(\((gdb|lldb|pdb)\)|>>>|In \[\d+\]:|\[?(info|debug|trace|warn|warning|error)\b\]?:?)\s+)",
-                                 std::regex::icase);
-  static const std::regex command(R"(^(p|print|po|display|disp|call|expr|v|fr v|frame variable)(/\w+)?[ (]+([\w.:>-]+)[);]*$)");
+  static const std::regex prompt(
+      R"(^(\((gdb|lldb|pdb)\)|>>>|In \[\d+\]:|\[?(info|debug|trace|warn|warning|error)\b\]?:?)\s+)", std::regex::icase);
+  static const std::regex command(
+      R"(^(?:p|print|po|display|disp|call|expr|v|frame variable)(?:/\w+)?[ (]+([\w.:>-]+)[);]*$)");
   constexpr std::size_t kLongest = 200;
   if (line.size() > kLongest) return line;
   std::cmatch found;
   if (std::regex_search(line.data(), line.data() + line.size(), found, prompt))
     line.remove_prefix(static_cast<std::size_t>(found.length(0)));
   if (std::regex_search(line.data(), line.data() + line.size(), found, command))
-    line = line.substr(static_cast<std::size_t>(found.position(3)), static_cast<std::size_t>(found.length(3)));
+    line = line.substr(static_cast<std::size_t>(found.position(1)), static_cast<std::size_t>(found.length(1)));
   return line;
 }
 
