@@ -97,6 +97,11 @@ Laid laidOut(const PastedMatrix& pasted, const std::vector<double>& printed, Mat
       (isTurned ? laid.printed[j][i] : laid.printed[i][j]) = printed[i * pasted.columns + j] * std::fabs(pasted.factor);
     }
   if (laid.rows == 3) laid.m[3] = {0, 0, 0, 1};
+  // What rounding leaves of a 0 in the last row. Its size is that of the axes, or of the 1 of 0 0 0 1.
+  double size = std::min(std::fabs(laid.m[3][3]), 1.0);
+  for (std::size_t i = 0; i < 4; ++i) size = std::max(size, maxAbs(rowOf(laid.m, i)));
+  for (std::size_t j = 0; j < 4; ++j)
+    if (std::fabs(laid.m[3][j]) < 0x1p-52 * size) laid.m[3][j] = laid.printed[3][j] = 0;
   return laid;
 }
 

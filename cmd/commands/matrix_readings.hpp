@@ -82,7 +82,7 @@ MatrixReadings readingsOf(const PastedMatrix& matrix, bool isBesideK = false);
 void orderBeside(std::vector<Reading>& readings, const std::vector<Reading>& lens);
 
 /// The matrix for column vectors in this layout, as four rows of four: rows of 3 and a third or fourth row are filled
-/// up with 0 0 0 1.
+/// up with 0 0 0 1. What rounding left of a 0 in the last row is 0.
 Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
 
 /// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which

@@ -188,6 +188,18 @@ std::vector<std::string> notesOn(const Reading& r) {
   return notes;
 }
 
+/// What counts as 0 in the last row, of which rounding left something; or empty.
+std::string noiseNote(const PastedMatrix& m, MatrixLayout layout) {
+  const bool isTurned = layout == MatrixLayout::transposed;
+  if ((isTurned ? m.columns : m.rows) < 4) return "";
+  const Mat4 read = matrixOf(m, layout);
+  for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
+    if (const double entry = isTurned ? m.at(j, 3) : m.at(3, j); entry != read[3][j])
+      return "Its last " + std::string(isTurned ? "column" : "row") + " has " + formatDigits(entry, 3) +
+             ", which rounding left and counts as 0.";
+  return "";
+}
+
 // ---- For people
 
 /// The shortest number within an error of the value.
@@ -365,6 +377,9 @@ OrderedJson matrixReport(const ReadMatrix& matrix) {
                      {"readings", OrderedJson::array()}};
   for (const Reading& r : matrix.found.readings) report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
   report["notes"] = matrix.found.readings.empty() ? std::vector<std::string>() : notesOn(matrix.found.readings.front());
+  if (!matrix.found.readings.empty())
+    if (const std::string note = noiseNote(m, matrix.found.readings.front().layout); !note.empty())
+      report["notes"].push_back(note);
   if (matrix.found.readings.empty()) report["fault"] = matrix.found.fault;
   return report;
 }
