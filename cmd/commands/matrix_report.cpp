@@ -128,6 +128,36 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
   return result;
 }
 
+/// The turn of a rotation, a view or a pose as angles of this order: {"order", "degrees"}; of a rotation both as it
+/// takes the camera to the world and as it takes the world to the camera. Null for any other reading, and where the
+/// order's axes are of another world.
+OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
+  const auto degreesOf = [&](const Pose& pose, CameraAxes axes) {
+    Vec3 degrees = eulerDegreesOf(plainPose(pose), order.second, axes);
+    for (std::size_t i = 0; i < 3; ++i) degrees[i] = std::round(degrees[i] * 1e12) / 1e12 + 0.0;
+    return asJson(degrees);
+  };
+  if (r.kind == ReadingKind::rotation && !r.isMirrored) {
+    PlainColumns columns;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) columns[j][i] = r.rows[i][j];
+    const auto [x, y, z, w] = quaternionOf(columns);
+    const CameraAxes axes = order.second.cameraAxes.value_or(CameraAxes::RUB);  // which turn: one matrix in any axes
+    return {{"order", order.first},
+            {"worldFromCamera", degreesOf(poseFromRotation({}, {x, y, z, w}, axes), axes)},
+            {"cameraFromWorld", degreesOf(poseFromRotation({}, {-x, -y, -z, w}, axes), axes)}};
+  }
+  if (!r.camera || !r.camera->pose || r.camera->lens) return nullptr;
+  const Pose& pose = *r.camera->pose;
+  const ViewAxes view = r.camera->convention.view;
+  const CameraAxes own = view == ViewAxes::RUB   ? CameraAxes::RUB
+                         : view == ViewAxes::RUF ? CameraAxes::RUF
+                                                 : CameraAxes::RDF;
+  const CameraAxes axes = order.second.cameraAxes.value_or(own);
+  if (poseFromRotation({}, {}, axes).world() != pose.world()) return nullptr;
+  return {{"order", order.first}, {"degrees", degreesOf(pose, axes)}};
+}
+
 // ---- Notes
 
 /// What looks wrong, or is easily taken for something else, in the likeliest reading.
@@ -360,7 +390,7 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
   return matrices;
 }
 
-OrderedJson matrixReport(const ReadMatrix& matrix) {
+OrderedJson matrixReport(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles) {
   const PastedMatrix& m = matrix.pasted;
   OrderedJson rows = OrderedJson::array();
   for (std::size_t i = 0; i < m.rows; ++i) {
@@ -375,7 +405,10 @@ OrderedJson matrixReport(const ReadMatrix& matrix) {
                                                  : "rows"},
                      {"float32", matrix.found.isFloat},
                      {"readings", OrderedJson::array()}};
-  for (const Reading& r : matrix.found.readings) report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
+  for (const Reading& r : matrix.found.readings) {
+    report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
+    if (angles) report["readings"].back()["angles"] = anglesOf(r, *angles);
+  }
   report["notes"] = matrix.found.readings.empty() ? std::vector<std::string>() : notesOn(matrix.found.readings.front());
   if (!matrix.found.readings.empty())
     if (const std::string note = noiseNote(m, matrix.found.readings.front().layout); !note.empty())
@@ -384,9 +417,10 @@ OrderedJson matrixReport(const ReadMatrix& matrix) {
   return report;
 }
 
-OrderedJson matrixPage(const ReadMatrix& matrix, std::size_t number, std::size_t count) {
+OrderedJson matrixPage(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles, std::size_t number,
+                       std::size_t count) {
   const PastedMatrix& m = matrix.pasted;
-  const OrderedJson report = matrixReport(matrix);
+  const OrderedJson report = matrixReport(matrix, angles);
   std::string title = count > 1 ? std::to_string(number) : "";
   if (!m.name.empty()) title += (title.empty() ? "" : ", ") + inQuotes(shown(m.name), kLongestName + 3);
   title += (title.empty() ? "" : ", ") + ("line " + std::to_string(m.line)) + ", " + std::to_string(m.rows) +
