@@ -377,6 +377,11 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
   }
   const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };
+  const auto has = [&](std::string_view name) {
+    return std::any_of(pasted.passedOver.begin(), pasted.passedOver.end(),
+                       [&](const PassedOver& over) { return over.name == name && over.numbers == 3; });
+  };
+  const bool areCamera = hasK && matrices.size() == 1 && has("rvec") && has("tvec");
   std::erase_if(pasted.passedOver, [](const PassedOver& over) { return over.numbers < kFewest; });
   if (matrices.empty()) {
     const auto longest = std::max_element(pasted.passedOver.begin(), pasted.passedOver.end(),
@@ -386,7 +391,9 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
                                                                      : ""));
   }
   for (const PassedOver& over : pasted.passedOver) note(source + ": " + line(over));
-  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + joined(vectors));
+  if (!vectors.empty())
+    note(source + ": not shown, since no matrix: " + joined(vectors) +
+         (areCamera ? "; with --viewport WxH they and the K are read as a camera" : ""));
   return matrices;
 }
 

@@ -109,6 +109,8 @@ class Namer {
     constexpr std::string_view kMarks = " \t#/%*>`-=:";
     prose.remove_prefix(std::min(prose.find_first_not_of(kMarks), prose.size()));
     prose = withoutCommand(prose.substr(0, prose.find_last_not_of(kMarks) + 1));
+    prose = prose.substr(0, prose.find('\t'));  // of a table's row the first cell
+    if (isGeneric(prose)) prose = {};
     m.name = !label.empty() ? label : !around.empty() ? around : isNear && !first.key.empty() ? first.key : prose;
     if (m.line != columnsLine_) {
       columnsLine_ = m.line;

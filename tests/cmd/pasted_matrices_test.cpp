@@ -133,6 +133,8 @@ constexpr Form kForms[] = {
      "{%A}}}}, <No data fields>}\n",
      "T_cam_world", true},
     {"a command", "print(proj)\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
+    {"a row of a table in front",
+     "Name\tValue\tType\nproj\t\t0\tfloat4x4\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
     {"a log's level", "INFO: proj\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
     {"a log's time on each line",
      "[2024-05-01 10:00:00.123] [info] the projection\n[2024-05-01 10:00:00.123] [info] %0 %1 %2 %3\n[2024-05-01 "
