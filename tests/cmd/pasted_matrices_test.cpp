@@ -322,9 +322,9 @@ TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV
   for (const char* name : {"w2c", "full_proj_transform", "world_view_transform"}) CHECK(axesOf(name) == ViewAxes::RDF);
   CHECK(axesOf("pose", true) == ViewAxes::RDF);
   // Beside a projection they are the projection's.
-  auto view = readingsOf(findMatrices("w2c =\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n").matrices.front()).readings;
   for (const auto& [projection, axes] : {std::pair("1 0 0 0\n0 1.5 0 0\n0 0 -1.002 -0.2002\n0 0 -1 0\n", ViewAxes::RUB),
                                          std::pair("1 0 0 0\n0 1.5 0 0\n0 0 0 10\n0 0 1 0\n", ViewAxes::RUF)}) {
+    auto view = readingsOf(findMatrices("view =\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n").matrices.front()).readings;
     const std::size_t count = view.size();
     orderBeside(view, readingsOf(findMatrices(projection).matrices.front()).readings);
     CHECK(view.front().camera->convention.view == axes);
