@@ -66,6 +66,10 @@ inline constexpr NameRow<EulerOrder> kEulerOrders[] = {
     {"opk", {.axis = {0, 1, 2}, .cameraAxes = CameraAxes::RUB}},
 };
 
+/// A note: Unity and Godot turn in one order, in worlds of different hands.
+inline constexpr std::string_view kGodotsOrder =
+    "order unity in a right-handed world is Godot's; Unity's own world is left-handed, as --read-as unity reads it";
+
 /// The names of a table.
 using Words = std::vector<std::string_view> (*)();
 template <const auto& Table>

@@ -41,6 +41,8 @@ bool hasRadians(const Json& value) {
          std::any_of(turns.begin(), turns.end(), isBroken);
 }
 
+constexpr FieldId kPoseFields[] = {FieldId("euler"), FieldId("worldFromCamera"), FieldId("cameraFromWorld")};
+
 /// Angles in degrees that look like radians: a note for each.
 std::vector<std::string> radiansNotes(const FieldValues& values) {
   std::vector<std::string> notes;
@@ -54,11 +56,25 @@ std::vector<std::string> radiansNotes(const FieldValues& values) {
                     formatNumber(degrees) + "rad\" would be " + formatDigits(degrees * 180 / std::numbers::pi, 6) +
                     " degrees");
   }
-  for (const FieldId field : {FieldId("euler"), FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
+  for (const FieldId field : kPoseFields)
     if (values.has(field) && hasRadians(values.node(field).json()))
       notes.push_back(values.node(field).place().first +
                       ": rpy is in degrees here; a URDF's and tf's radians are written 1.5708rad");
   return notes;
+}
+
+/// Whether turns of Unity's order are among these, alone or in poses.
+bool hasUnityOrder(const Json& value) {
+  return value.is_structured() && ((value.is_object() && value.value("order", Json()) == "unity") ||
+                                   std::any_of(value.begin(), value.end(), hasUnityOrder));
+}
+
+/// Godot and Unity turn in the same order, in worlds of either hand.
+bool isGodots(const FieldValues& values, Handedness world) {
+  return world == Handedness::right &&
+         std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const FieldId field) {
+           return values.has(field) && hasUnityOrder(values.node(field).json());
+         });
 }
 
 /// Not a lens of zeros, which is the pinhole.
@@ -95,6 +111,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   const auto picture = readPicture(values, stated, reading.needsPicture);
   file.projection = readProjection(values, stated, picture, reading);
   file.notes = radiansNotes(values);
+  if (isGodots(values, file.convention.world)) file.notes.emplace_back(kGodotsOrder);
   if (picture && picture->crop && file.projection)
     file.projection = cropped(*file.projection, picture->frame, *picture->crop);
   if (picture) file.viewport = picture->tile();

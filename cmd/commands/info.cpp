@@ -305,6 +305,13 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
   const MatrixQuestion question{o.camera.readAs(), o.which};
   const std::vector<ReadMatrix> matrices =
       readMatrices(text, shownName(o.camera.file().value_or("-")), otherwise, question);
+  const auto isTurn = [](const Reading& r) {
+    return r.kind == ReadingKind::rotation || r.kind == ReadingKind::view || r.kind == ReadingKind::pose;
+  };
+  if (o.angles && std::none_of(matrices.begin(), matrices.end(), [&](const ReadMatrix& m) {
+        return std::any_of(m.found.readings.begin(), m.found.readings.end(), isTurn);
+      }))
+    throw UsageError("--angles needs a rotation, a view or a pose, and no matrix here can be one");
   const bool isJson = o.report.form() == ReportForm::json;
   if (isJson) writeOutput("{\"matrices\": [");
   OrderedJson rows = OrderedJson::array();
@@ -312,11 +319,12 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     allFit = allFit && !matrices[i].found.readings.empty();
     if (isJson)
-      writeOutput((i > 0 ? ",\n  " : "\n  ") + jsonText(matrixReport(matrices[i]), o.report.digits(), 1));
+      writeOutput((i > 0 ? ",\n  " : "\n  ") + jsonText(matrixReport(matrices[i], o.angles), o.report.digits(), 1));
     else if (o.report.form() == ReportForm::table)
-      writeOutput((i > 0 ? "\n" : "") + tableText(matrixPage(matrices[i], i + 1, matrices.size()), o.report.digits()));
+      writeOutput((i > 0 ? "\n" : "") +
+                  tableText(matrixPage(matrices[i], o.angles, i + 1, matrices.size()), o.report.digits()));
     else
-      rows.push_back(matrixReport(matrices[i]));
+      rows.push_back(matrixReport(matrices[i], o.angles));
   }
   if (isJson) writeOutput("\n]}\n");
   if (!rows.empty()) writeOutput(csvText(rows, o.report.digits()));
@@ -351,7 +359,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles || o.height.isTyped();
+  const bool isForCamera = o.camera.changesCamera() || o.at || o.height.isTyped();
   const bool hasCamera = std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera);
   const bool isFaulty = !unknown.file.fault.empty();
   if (isForCamera && proposal.lines.empty() && isFaulty) throw InputError(unknown.file.fault);
@@ -375,7 +383,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
 int runInfo(const InfoOptions& o) {
   constexpr std::size_t kMostBytes = 1 << 20;
   if (!o.which.empty()) {
-    if (o.camera.changesCamera() || o.at || o.angles || o.height.isTyped())
+    if (o.camera.changesCamera() || o.at || o.height.isTyped())
       throw UsageError("--which is for matrices, and the other options for a camera");
     const auto name = o.camera.file();
     if (!name) throw UsageError("--which needs a FILE with matrices");
@@ -386,7 +394,7 @@ int runInfo(const InfoOptions& o) {
   } catch (const UnknownFile& unknown) {
     return runUnknown(o, unknown);
   } catch (const UnknownFormat& e) {
-    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles || o.height.isTyped()) throw;
+    if (e.text.empty() || o.camera.changesCamera() || o.at || o.height.isTyped()) throw;
     return runMatrices(o, e.text, e.what());
   }
 }

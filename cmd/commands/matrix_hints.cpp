@@ -1,6 +1,7 @@
 // What a name, or the lines in front of a matrix, say of its kind.
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "commands/matrix_readings.hpp"
 #include "text/pasted_parts.hpp"
@@ -10,21 +11,28 @@ namespace {
 
 using pasted::isAmong;
 using pasted::isOneOf;
-using Words = std::vector<std::string>;
+struct Word {
+  std::string text;
+  bool isApart = false;  ///< behind a blank or a mark, and no part of one name with the word before
+};
+using Words = std::vector<Word>;
 
 /// In lower case: worldToCamera, world2camera and "World to camera" are world, to or 2, camera. A word of its own is
 /// the end of a clause.
 Words wordsOf(std::string_view text) {
   Words words(1);
+  bool isApart = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i], last = i > 0 ? text[i - 1] : ' ', next = i + 1 < text.size() ? text[i + 1] : ' ';
     const bool isUpper = c >= 'A' && c <= 'Z', isPart = isLetter(c) || isDigit(c);
     const bool begins = (isUpper && ((last >= 'a' && last <= 'z') || isDigit(last))) ||
-                        (c == '2' && isLetter(last) && isLetter(next)) || (words.back() == "2" && isLetter(c));
+                        (c == '2' && isLetter(last) && isLetter(next)) || (words.back().text == "2" && isLetter(c));
     const bool isEnd = isAmong(c, ".,;:!?");
-    if ((!isPart || begins) && !words.back().empty()) words.emplace_back();
-    if (isPart) words.back() += isUpper ? static_cast<char>(c - 'A' + 'a') : c;
-    if (isEnd) words.insert(words.end() - 1, ".");
+    if ((!isPart || begins) && !words.back().text.empty()) words.emplace_back();
+    isApart = isPart ? isApart : !isAmong(c, "_-");
+    if (isPart && words.back().text.empty()) words.back().isApart = std::exchange(isApart, false);
+    if (isPart) words.back().text += isUpper ? static_cast<char>(c - 'A' + 'a') : c;
+    if (isEnd) words.insert(words.end() - 1, {"."});
   }
   return words;
 }
@@ -53,14 +61,18 @@ bool isFrame(std::string_view w) {
 
 /// World to camera, cam_from_world, T_WC, T_imu_cam, body_T_cam, wTc, Twc.
 Frames framesAt(const Words& words, std::size_t at) {
-  const auto word = [&](std::size_t i) { return at + i < words.size() ? std::string_view(words[at + i]) : ""; };
+  const auto word = [&](std::size_t i) { return at + i < words.size() ? std::string_view(words[at + i].text) : ""; };
+  const auto isApart = [&](std::size_t i) { return at + i < words.size() && words[at + i].isApart; };
   const std::string_view first = word(0), second = word(1), third = word(2);
   if (isFrame(first) && isFrame(third)) {
-    if (isOneOf(second, {"to", "2"})) return {first, third, 3, isRobot(first) || isRobot(third)};
-    if (second == "from") return {third, first, 3, isRobot(first) || isRobot(third)};
-    if (second == "t") return {third, first, 3, true};
+    const bool isOfRobots = isRobot(first) || isRobot(third);
+    if (isOneOf(second, {"to", "2"})) return {first, third, 3, isOfRobots || (first == "w" && second == "2")};
+    if (second == "from") return {third, first, 3, isOfRobots};
+    // Of "p T_cam_world" p is a debugger's command: one name has the same marks between all its words.
+    if (second == "t" && isApart(1) == isApart(2) && (!isApart(1) || isUsualFrame(first)))
+      return {third, first, 3, true};
   }
-  if (isFrame(first) && second.size() > 1 && second[0] == 't' && isUsualFrame(second.substr(1)))
+  if (isFrame(first) && !isApart(1) && second.size() > 1 && second[0] == 't' && isUsualFrame(second.substr(1)))
     return {second.substr(1), first, 2, true};
   if (first == "t" && isFrame(second) && isFrame(third)) return {third, second, 3, true};
   if (first == "t" && second.size() == 2) return {second.substr(1), second.substr(0, 1), 2, true};
@@ -145,13 +157,14 @@ KindHint hintIn(std::string_view text, bool isName) {
     const Frames frames = framesAt(words, i);
     const std::string_view kind = frames.words > 0 ? kindWord(frames) : "";
     isOfVision = isOfVision || (!kind.empty() && frames.isOfVision);
-    const bool isOther = isOneOf(words[i], {"viewport", "viewer", "viewing", "viewpoint"}) ||
-                         (i > 0 && words[i] == "view" && words[i - 1] == "of") ||
-                         (i > 0 && words[i] == "mtx" && words[i - 1] == "rot");
+    const std::string& word = words[i].text;
+    const bool isOther = isOneOf(word, {"viewport", "viewer", "viewing", "viewpoint"}) ||
+                         (i > 0 && word == "view" && words[i - 1].text == "of") ||
+                         (i > 0 && word == "mtx" && words[i - 1].text == "rot");
     if (!kind.empty())
       joined += kind;
     else if (!isOther)
-      joined += "_" + words[i];
+      joined += "_" + word;
     i += kind.empty() ? 1 : frames.words;
   }
   joined += "_";
@@ -161,11 +174,15 @@ KindHint hintIn(std::string_view text, bool isName) {
     hint = lastHint(joined, {kWeakWords}, isName);
     hint.weight = kWeakly;
   }
-  for (const char* word : {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"})
+  // w2c is OpenCV's, as camera libraries of neural rendering write it; 3DGS has it transposed as world_view_transform.
+  for (const char* word :
+       {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr", "_world_view_transform", "_full_proj_transform"})
     isOfVision = isOfVision || joined.find(word) != std::string::npos;
   for (const char* word : {"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})
     if (joined.find(word) != std::string::npos) hint.axes = ViewAxes::RUF;
   if (isOfVision) hint.axes = ViewAxes::RDF;
+  hint.isTransposed =
+      joined.find("_world_view_transform") != joined.npos || joined.find("_full_proj_transform") != joined.npos;
   return hint;
 }
 

@@ -97,6 +97,11 @@ Laid laidOut(const PastedMatrix& pasted, const std::vector<double>& printed, Mat
       (isTurned ? laid.printed[j][i] : laid.printed[i][j]) = printed[i * pasted.columns + j] * std::fabs(pasted.factor);
     }
   if (laid.rows == 3) laid.m[3] = {0, 0, 0, 1};
+  // What rounding leaves of a 0 in the last row. Its size is that of the axes, or of the 1 of 0 0 0 1.
+  double size = std::min(std::fabs(laid.m[3][3]), 1.0);
+  for (std::size_t i = 0; i < 4; ++i) size = std::max(size, maxAbs(rowOf(laid.m, i)));
+  for (std::size_t j = 0; j < 4; ++j)
+    if (std::fabs(laid.m[3][j]) < 0x1p-52 * size) laid.m[3][j] = laid.printed[3][j] = 0;
   return laid;
 }
 
@@ -440,6 +445,11 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
   if (r.isCentred) cost -= 3;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;
+  if (hint.isTransposed && r.layout == MatrixLayout::asWritten) cost += 6;
+  // The picture of RDF has y down, where the projection flips nothing.
+  if (hint.isTransposed && hint.axes == ViewAxes::RDF && r.kind == viewProjection &&
+      r.camera->convention.ndcY != NdcY::down)
+    cost += 0.2;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
   if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
@@ -454,6 +464,28 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
 
 bool isTurned(Vectors vectors, Storage storage) {
   return (vectors == Vectors::row) != (storage == Storage::columnMajor);
+}
+
+/// Whether a convention has a world, and a direction of depth, that the reading has not.
+bool differs(const Reading& r, const Convention& c) {
+  return (r.camera->kind != MatrixKind::projection && c.world != r.camera->convention.world) ||
+         (r.camera->lens && r.camera->lens->depthFault.empty() && c.reverseZ != r.camera->convention.reverseZ);
+}
+
+/// Whether presets have all of a reading but for its world or reverseZ, and none has all of it.
+bool isPresetExcept(const Reading& r, bool isInMemoryOrder) {
+  bool isAlmost = false;
+  for (const ConventionPreset& preset : conventionPresets()) {
+    if (!fits(r, preset.convention, isInMemoryOrder)) continue;
+    if (!differs(r, preset.convention)) return false;
+    isAlmost = true;
+  }
+  return isAlmost;
+}
+
+void sortByCost(std::vector<Reading>& readings) {
+  std::stable_sort(readings.begin(), readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.cost < b.cost; });
 }
 
 }  // namespace
@@ -505,10 +537,25 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
     if (!isNamed) std::erase_if(readings, [](const Reading& r) { return isInverse(r) && isStrange(r); });
   }
   if (!readings.empty()) result.fault.clear();
-  for (Reading& r : readings) r.cost = costOf(r, readings, hint, pasted);
-  std::stable_sort(readings.begin(), readings.end(),
-                   [](const Reading& a, const Reading& b) { return a.cost < b.cost; });
+  constexpr double kTie = 0.2;
+  for (Reading& r : readings)
+    r.cost = costOf(r, readings, hint, pasted) + (r.camera && isPresetExcept(r, pasted.isInMemoryOrder) ? kTie : 0);
+  sortByCost(readings);
   return result;
+}
+
+void orderBeside(std::vector<Reading>& readings, const std::vector<Reading>& lens) {
+  const auto isLens = [](const Reading& r) { return r.kind == ReadingKind::projection; };
+  const auto cheapest = std::find_if(lens.begin(), lens.end(), isLens);
+  if (cheapest == lens.end()) return;
+  for (Reading& r : readings) {
+    if (r.kind != ReadingKind::view && r.kind != ReadingKind::pose) continue;
+    const auto ofAxes = std::find_if(lens.begin(), lens.end(), [&](const Reading& l) {
+      return isLens(l) && l.camera->convention.view == r.camera->convention.view;
+    });
+    r.cost += ofAxes == lens.end() ? kSpoken / 2 : ofAxes->cost - cheapest->cost;
+  }
+  sortByCost(readings);
 }
 
 bool fits(const Reading& reading, const Convention& c, bool isInMemoryOrder) {

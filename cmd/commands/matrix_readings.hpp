@@ -62,6 +62,7 @@ struct KindHint {
   std::optional<ReadingKind> kind;
   double weight = 0;  ///< what a reading of another kind costs
   std::optional<ViewAxes> axes;
+  bool isTransposed = false;  ///< programs with such names have it transposed
 };
 inline constexpr double kSpoken = 20;
 /// Fields of view, in degrees, beyond which a lens is unusual.
@@ -76,8 +77,12 @@ struct MatrixReadings {
 /// isBesideK: the text has a K in pixels, so that OpenCV's axes are usual.
 MatrixReadings readingsOf(const PastedMatrix& matrix, bool isBesideK = false);
 
+/// Puts the views and poses first whose axes a projection in the same text has in its likeliest reading. lens: its
+/// readings, the likeliest first.
+void orderBeside(std::vector<Reading>& readings, const std::vector<Reading>& lens);
+
 /// The matrix for column vectors in this layout, as four rows of four: rows of 3 and a third or fourth row are filled
-/// up with 0 0 0 1.
+/// up with 0 0 0 1. What rounding left of a 0 in the last row is 0.
 Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
 
 /// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which

@@ -128,6 +128,36 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
   return result;
 }
 
+/// The turn of a rotation, a view or a pose as angles of this order: {"order", "degrees"}; of a rotation both as it
+/// takes the camera to the world and as it takes the world to the camera. Null for any other reading, and where the
+/// order's axes are of another world.
+OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
+  const auto degreesOf = [&](const Pose& pose, CameraAxes axes) {
+    Vec3 degrees = eulerDegreesOf(plainPose(pose), order.second, axes);
+    for (std::size_t i = 0; i < 3; ++i) degrees[i] = std::round(degrees[i] * 1e12) / 1e12 + 0.0;
+    return asJson(degrees);
+  };
+  if (r.kind == ReadingKind::rotation && !r.isMirrored) {
+    PlainColumns columns;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) columns[j][i] = r.rows[i][j];
+    const auto [x, y, z, w] = quaternionOf(columns);
+    const CameraAxes axes = order.second.cameraAxes.value_or(CameraAxes::RUB);  // which turn: one matrix in any axes
+    return {{"order", order.first},
+            {"worldFromCamera", degreesOf(poseFromRotation({}, {x, y, z, w}, axes), axes)},
+            {"cameraFromWorld", degreesOf(poseFromRotation({}, {-x, -y, -z, w}, axes), axes)}};
+  }
+  if (!r.camera || !r.camera->pose || r.camera->lens) return nullptr;
+  const Pose& pose = *r.camera->pose;
+  const ViewAxes view = r.camera->convention.view;
+  const CameraAxes own = view == ViewAxes::RUB   ? CameraAxes::RUB
+                         : view == ViewAxes::RUF ? CameraAxes::RUF
+                                                 : CameraAxes::RDF;
+  const CameraAxes axes = order.second.cameraAxes.value_or(own);
+  if (poseFromRotation({}, {}, axes).world() != pose.world()) return nullptr;
+  return {{"order", order.first}, {"degrees", degreesOf(pose, axes)}};
+}
+
 // ---- Notes
 
 /// What looks wrong, or is easily taken for something else, in the likeliest reading.
@@ -186,6 +216,18 @@ std::vector<std::string> notesOn(const Reading& r) {
       notes.push_back("Its aspect is exactly " + std::to_string(whole) +
                       ": right for such a picture; width / height in integers gives it too.");
   return notes;
+}
+
+/// What counts as 0 in the last row, of which rounding left something; or empty.
+std::string noiseNote(const PastedMatrix& m, MatrixLayout layout) {
+  const bool isTurned = layout == MatrixLayout::transposed;
+  if ((isTurned ? m.columns : m.rows) < 4) return "";
+  const Mat4 read = matrixOf(m, layout);
+  for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
+    if (const double entry = isTurned ? m.at(j, 3) : m.at(3, j); entry != read[3][j])
+      return "Its last " + std::string(isTurned ? "column" : "row") + " has " + formatDigits(entry, 3) +
+             ", which rounding left and counts as 0.";
+  return "";
 }
 
 // ---- For people
@@ -313,10 +355,15 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       matrices.push_back({std::move(matrix), std::move(found)});
   }
   const bool hasK = std::any_of(matrices.begin(), matrices.end(), isOpenCvK);
+  std::vector<std::vector<Reading>> lenses;
+  for (const ReadMatrix& m : matrices)
+    if (!m.found.readings.empty() && m.found.readings.front().kind == ReadingKind::projection)
+      lenses.push_back(m.found.readings);
   for (ReadMatrix& m : matrices) {
     std::vector<Reading>& readings = m.found.readings;
     if (readings.empty()) continue;
     if (hasK) readings = readingsOf(m.pasted, true).readings;
+    for (const std::vector<Reading>& lens : lenses) orderBeside(readings, lens);
     if (question.readAs) readings = readingsIn(std::move(readings), *question.readAs, m.pasted.isInMemoryOrder);
     if (!question.which.empty())
       std::erase_if(readings, [&](const Reading& r) {
@@ -330,6 +377,11 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
   }
   const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };
+  const auto has = [&](std::string_view name) {
+    return std::any_of(pasted.passedOver.begin(), pasted.passedOver.end(),
+                       [&](const PassedOver& over) { return over.name == name && over.numbers == 3; });
+  };
+  const bool areCamera = hasK && matrices.size() == 1 && has("rvec") && has("tvec");
   std::erase_if(pasted.passedOver, [](const PassedOver& over) { return over.numbers < kFewest; });
   if (matrices.empty()) {
     const auto longest = std::max_element(pasted.passedOver.begin(), pasted.passedOver.end(),
@@ -339,11 +391,13 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
                                                                      : ""));
   }
   for (const PassedOver& over : pasted.passedOver) note(source + ": " + line(over));
-  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + joined(vectors));
+  if (!vectors.empty())
+    note(source + ": not shown, since no matrix: " + joined(vectors) +
+         (areCamera ? "; with --viewport WxH they and the K are read as a camera" : ""));
   return matrices;
 }
 
-OrderedJson matrixReport(const ReadMatrix& matrix) {
+OrderedJson matrixReport(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles) {
   const PastedMatrix& m = matrix.pasted;
   OrderedJson rows = OrderedJson::array();
   for (std::size_t i = 0; i < m.rows; ++i) {
@@ -358,15 +412,22 @@ OrderedJson matrixReport(const ReadMatrix& matrix) {
                                                  : "rows"},
                      {"float32", matrix.found.isFloat},
                      {"readings", OrderedJson::array()}};
-  for (const Reading& r : matrix.found.readings) report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
+  for (const Reading& r : matrix.found.readings) {
+    report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
+    if (angles) report["readings"].back()["angles"] = anglesOf(r, *angles);
+  }
   report["notes"] = matrix.found.readings.empty() ? std::vector<std::string>() : notesOn(matrix.found.readings.front());
+  if (!matrix.found.readings.empty())
+    if (const std::string note = noiseNote(m, matrix.found.readings.front().layout); !note.empty())
+      report["notes"].push_back(note);
   if (matrix.found.readings.empty()) report["fault"] = matrix.found.fault;
   return report;
 }
 
-OrderedJson matrixPage(const ReadMatrix& matrix, std::size_t number, std::size_t count) {
+OrderedJson matrixPage(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles, std::size_t number,
+                       std::size_t count) {
   const PastedMatrix& m = matrix.pasted;
-  const OrderedJson report = matrixReport(matrix);
+  const OrderedJson report = matrixReport(matrix, angles);
   std::string title = count > 1 ? std::to_string(number) : "";
   if (!m.name.empty()) title += (title.empty() ? "" : ", ") + inQuotes(shown(m.name), kLongestName + 3);
   title += (title.empty() ? "" : ", ") + ("line " + std::to_string(m.line)) + ", " + std::to_string(m.rows) +

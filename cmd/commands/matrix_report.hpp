@@ -27,10 +27,12 @@ struct ReadMatrix {
 std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& source, const std::string& otherwise,
                                      const MatrixQuestion& question);
 
-/// {"name", "line", "rows", "order", "float32", "readings", "notes", "fault"}.
-OrderedJson matrixReport(const ReadMatrix& matrix);
+/// {"name", "line", "rows", "order", "float32", "readings", "notes", "fault"}. angles: each reading has "angles" too,
+/// null where it is no turn or of another world than the order's axes.
+OrderedJson matrixReport(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles = nullptr);
 
 /// For people: the first reading whole, the others a line each.
-OrderedJson matrixPage(const ReadMatrix& matrix, std::size_t number, std::size_t count);
+OrderedJson matrixPage(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles, std::size_t number,
+                       std::size_t count);
 
 }  // namespace viewproj::cmd

@@ -140,6 +140,20 @@ struct KnownMatrices {
                ? &matrices[static_cast<std::size_t>(found - kinds.begin())]
                : nullptr;
   }
+  /// Of a view or pose, only what has the axes of a reading of this projection, if there is such.
+  void keepFitting(const ReadMatrix& stand, const ReadMatrix& lens) {
+    const auto axesOf = [](const Reading& r) {
+      return r.camera ? std::optional(r.camera->convention.view) : std::nullopt;
+    };
+    const auto fitsLens = [&](const Reading& r) {
+      return std::any_of(lens.found.readings.begin(), lens.found.readings.end(),
+                         [&](const Reading& l) { return l.kind == ReadingKind::projection && axesOf(l) == axesOf(r); });
+    };
+    const bool doSome = std::any_of(stand.found.readings.begin(), stand.found.readings.end(), fitsLens);
+    if (doSome)
+      std::erase_if(matrices[static_cast<std::size_t>(&stand - matrices.data())].found.readings,
+                    [&](const Reading& r) { return !fitsLens(r); });
+  }
   /// The one K or P of pixels.
   const ReadMatrix* calibration() const {
     const ReadMatrix *const k = only(ReadingKind::k), *const p = only(ReadingKind::p), *const found = k ? k : p;
@@ -206,6 +220,8 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
         throw InputError(source + ": " + shownNameOf(matrix) + ": " + matrix.found.fault);
   if (!isWhole && (!stand || isTree(file))) return std::nullopt;
   if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
+
+  if (stand && lens) known.keepFitting(*stand, *lens);
 
   MatrixSet set;
   std::optional<Handedness> world;

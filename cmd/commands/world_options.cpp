@@ -84,6 +84,7 @@ OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values
   if (!pose) return {{"order", order.first}, {"degrees", nullptr}};
   if (const std::string fault = faultOfOrder(order, values, pose->world()); !fault.empty())
     throw UsageError("--angles " + fault);
+  if (order.first == "unity" && pose->world() == Handedness::right) note(std::string(kGodotsOrder));
   const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
   Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);

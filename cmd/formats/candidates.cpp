@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
@@ -21,6 +22,8 @@ constexpr std::string_view
     kOfD =
         "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs distcoef distcoefs coeff "
         "coeffs lens kappa radial dc coef coefs coefficients kc",
+    kLensModels = "brown conrady brownconrady radtan plumb plumbbob kannala brandt kannalabrandt kb4 equidistant",
+    kOfOtherLens = "inverse modified d dist distortion distortions coeff coeffs coef coefs coefficients lens kc",
     kOfS = "size sz resolution res dimension dimensions shape wh hw image",
     kOfR = "r rot rotation rotate rmat rotmat camrot",
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
@@ -156,6 +159,7 @@ constexpr Look kLooks[] = {
     {"Q", "4", isUnit, kOfQ},
     {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
     {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "c center centre pp principal", false},
+    {"D", "4 5 8", isLens, kLensModels, 0, Look::name, "", kOfOtherLens, false},
     {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
     {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
     {"C", "2", isCentre, "cc principalpoint princpt pp center c p", 0, Look::letters}};
@@ -181,6 +185,7 @@ class Finder {
   Candidates find() {
     std::vector<std::string> steps;
     walk(*file_.root, steps);
+    nameLookAt();
     addStars();
     for (const auto& each : found_) each->tag = findTag(*each);
     return {found_.begin(), found_.end()};
@@ -286,6 +291,23 @@ class Finder {
     std::string text;
     for (const std::string& step : steps) text += step + "\n";
     return text;
+  }
+
+  /// Beside an eye, center is what gluLookAt calls the target; from has a to.
+  void nameLookAt() {
+    std::map<std::vector<std::string>, std::vector<Candidate*>> boxes;
+    for (const auto& each : found_)
+      if (each->numbers.size() == 3 && isAmong(each->kind, "E ?"))
+        boxes[{each->steps.begin(), each->steps.end() - 1}].push_back(each.get());
+    for (const auto& [box, places] : boxes)
+      for (Candidate* const eye : places)
+        for (Candidate* const target : places) {
+          const std::string of = lettersOf(eye->steps.back()), at = lettersOf(target->steps.back());
+          if (!(of == "eye" && isAmong(at, "center centre at")) && !(of == "from" && isAmong(at, "to at"))) continue;
+          eye->kind = "E";
+          target->kind = "target";
+          eye->name = target->name = 2;
+        }
   }
 
   /// A step with a star, and what the star stands for: all of it, a run of digits, or what is before or after a _.

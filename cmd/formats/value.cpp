@@ -32,18 +32,21 @@ std::optional<double> numberIn(const Json& value) {
   return numbers && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
 }
 
-/// Appends the members of an object in the order of a row whose first names they all are.
+/// Appends the members of an object, or the attributes of an element of XML, in the order of a row whose first names
+/// they all are.
 bool appendOrdered(const Json& object, std::vector<double>& numbers) {
   for (const std::string_view order : kOrders) {
     const std::vector<std::string_view> names = split(order, " ");
     if (object.size() < 2 || object.size() > names.size()) continue;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < object.size(); ++i)
-      if (const auto member = object.find(names[i]); member != object.end())
-        if (const auto number = numberIn(*member)) values.push_back(*number);
-    if (values.size() < object.size()) continue;
-    numbers.insert(numbers.end(), values.begin(), values.end());
-    return true;
+    for (const std::string mark : {"", "@"}) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < object.size(); ++i)
+        if (const auto member = object.find(mark + std::string(names[i])); member != object.end())
+          if (const auto number = numberIn(*member)) values.push_back(*number);
+      if (values.size() < object.size()) continue;
+      numbers.insert(numbers.end(), values.begin(), values.end());
+      return true;
+    }
   }
   return false;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <regex>
 
 #include "text/pasted_parts.hpp"
 
@@ -33,6 +34,22 @@ bool hasWord(std::string_view line) {
   const auto isWordLetter = [](char c) { return isNameStart(c) && c != '_'; };
   return std::adjacent_find(line.begin(), line.end(),
                             [&](char a, char b) { return isWordLetter(a) && isWordLetter(b); }) != line.end();
+}
+
+/// "(gdb) p T_cam", "[INFO] T_cam" and "print(T_cam" without the prompt, the level of a log and the command.
+std::string_view withoutCommand(std::string_view line) {
+  static const std::regex prompt(
+      R"(^(\((gdb|lldb|pdb)\)|>>>|In \[\d+\]:|\[?(info|debug|trace|warn|warning|error)\b\]?:?)\s+)", std::regex::icase);
+  static const std::regex command(
+      R"(^(?:p|print|po|display|disp|call|expr|v|frame variable)(?:/\w+)?[ (]+([\w.:>-]+)[);]*$)");
+  constexpr std::size_t kLongest = 200;
+  if (line.size() > kLongest) return line;
+  std::cmatch found;
+  if (std::regex_search(line.data(), line.data() + line.size(), found, prompt))
+    line.remove_prefix(static_cast<std::size_t>(found.length(0)));
+  if (std::regex_search(line.data(), line.data() + line.size(), found, command))
+    line = line.substr(static_cast<std::size_t>(found.position(1)), static_cast<std::size_t>(found.length(1)));
+  return line;
 }
 
 /// The headings of a line: what blanks or a colon part, without marks.
@@ -91,7 +108,9 @@ class Namer {
     m.context = tail(m.context + tail(line(m.line)));
     constexpr std::string_view kMarks = " \t#/%*>`-=:";
     prose.remove_prefix(std::min(prose.find_first_not_of(kMarks), prose.size()));
-    prose = prose.substr(0, prose.find_last_not_of(kMarks) + 1);
+    prose = withoutCommand(prose.substr(0, prose.find_last_not_of(kMarks) + 1));
+    prose = prose.substr(0, prose.find('\t'));  // of a table's row the first cell
+    if (isGeneric(prose)) prose = {};
     m.name = !label.empty() ? label : !around.empty() ? around : isNear && !first.key.empty() ? first.key : prose;
     if (m.line != columnsLine_) {
       columnsLine_ = m.line;

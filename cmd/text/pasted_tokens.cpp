@@ -170,7 +170,11 @@ class Scanner {
     std::size_t nameEnd = begin + 1;
     while (isNamePart(at(nameEnd)) || isAmong(at(nameEnd), ":.-")) ++nameEnd;
     const std::string_view name = t_.substr(begin, nameEnd - begin);
-    if (!isHtml(name)) {
+    const std::string_view rest = t_.substr(nameEnd, close - nameEnd);
+    const bool arePlainWords = rest.find('=') == kNone && rest.find_first_not_of(" /") != kNone;
+    if (arePlainWords) {  // <No data fields>
+      emit(Kind::word);
+    } else if (!isHtml(name)) {
       if (isEnd) {
         emit(Kind::close);
         emit(Kind::word);

@@ -578,6 +578,15 @@ TEST_CASE("names that state an order or a direction up are obeyed by the finder 
   CHECK(proposed(w).decide.back().find("cameraAxes=RUB") != std::string::npos);
   CHECK(proposed(R"({"shot": {"eye": [12, 8, 15], "target": [1, 2, 0], "up": [0, 1, 0], "vfov": 50}})").parts ==
         "fovY=shot.vfov, position=shot.eye, target=shot.target, up=shot.up");
+  CHECK(proposed(R"({"shot": {"eye": [12, 8, 15], "center": [1, 2, 0], "up": [0, 1, 0], "vfov": 50}})").parts ==
+        "fovY=shot.vfov, position=shot.eye, target=shot.center, up=shot.up");
+  CHECK(proposed(R"({"shot": {"from": [12, 8, 15], "to": [1, 2, 0], "up": [0, 1, 0], "vfov": 50}})").parts ==
+        "fovY=shot.vfov, position=shot.from, target=shot.to, up=shot.up");
+  // The name of a lens's model names its coefficients; those of another lens are no distortion.
+  const std::string k = R"({"f": [612, 611], "p": [319, 236], "size": [640, 480], ")";
+  CHECK(proposed(k + R"(Brown_Conrady": [0.15, -0.49, 0.0006, -0.001, 0.44]})").parts ==
+        "K=f+p, size=size, distortion=Brown_Conrady");
+  CHECK(proposed(k + R"(Inverse_Brown_Conrady": [0.15, -0.49, 0.0006, -0.001, 0.44]})").parts == "K=f+p, size=size");
   // Three coefficients are k1, k2 and k3, and single numbers of a pose are no less left out than others.
   const Proposal mount = proposeParts(readTree(
       R"({"mount": {"X": 0.5, "Yaw": 20, "lens": {"fx_px": 90, "fy_px": 91, "cx_px": 45, "cy_px": 30, "k1": 0.1, "k2": 0.2, "k3": 0.3}}})",

@@ -127,6 +127,15 @@ constexpr Form kForms[] = {
      "%7, "
      "[2,3] = %b, [3,3] = %f}",
      "", false},
+    {"Eigen in gdb without its printers",
+     "(gdb) p T_cam_world\n$3 = {<Eigen::PlainObjectBase<Eigen::Matrix<double, 4, 4, 0, 4, 4> >> = {<Eigen::DenseBase"
+     "<Eigen::Matrix<double, 4, 4, 0, 4, 4> >> = {<No data fields>}, <No data fields>}, m_storage = {m_data = {array = "
+     "{%A}}}}, <No data fields>}\n",
+     "T_cam_world", true},
+    {"a command", "print(proj)\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
+    {"a row of a table in front",
+     "Name\tValue\tType\nproj\t\t0\tfloat4x4\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
+    {"a log's level", "INFO: proj\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "proj", false},
     {"a log's time on each line",
      "[2024-05-01 10:00:00.123] [info] the projection\n[2024-05-01 10:00:00.123] [info] %0 %1 %2 %3\n[2024-05-01 "
      "10:00:00.123] [info] %4 %5 %6 %7\n[2024-05-01 10:00:00.124] [info] %8 %9 %a %b\n[2024-05-01 10:00:00.131] [info] "
@@ -246,6 +255,10 @@ TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
                       {"w2c", view},
                       {"T_cw", view},
                       {"T_ci", view},
+                      {"(gdb) p T_cam_world", view},
+                      {"p T_cam_world", view},
+                      {"my T_cam_world", view},
+                      {"p wTcam", pose},
                       {"T_cam_imu", view},
                       {"extrinsic", view},
                       {"viewMatrix", view},
@@ -306,7 +319,17 @@ TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV
     CHECK(axesOf(name) == ViewAxes::RDF);
   for (const char* name : {"D3DXMATRIX view", "XMMATRIX view"}) CHECK(axesOf(name) == ViewAxes::RUF);
   for (const char* name : {"view", "c2w", "matrixWorld"}) CHECK(axesOf(name) == ViewAxes::RUB);
+  for (const char* name : {"w2c", "full_proj_transform", "world_view_transform"}) CHECK(axesOf(name) == ViewAxes::RDF);
   CHECK(axesOf("pose", true) == ViewAxes::RDF);
+  // Beside a projection they are the projection's.
+  for (const auto& [projection, axes] : {std::pair("1 0 0 0\n0 1.5 0 0\n0 0 -1.002 -0.2002\n0 0 -1 0\n", ViewAxes::RUB),
+                                         std::pair("1 0 0 0\n0 1.5 0 0\n0 0 0 10\n0 0 1 0\n", ViewAxes::RUF)}) {
+    auto view = readingsOf(findMatrices("view =\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n").matrices.front()).readings;
+    const std::size_t count = view.size();
+    orderBeside(view, readingsOf(findMatrices(projection).matrices.front()).readings);
+    CHECK(view.front().camera->convention.view == axes);
+    CHECK(view.size() == count);
+  }
 }
 
 TEST_CASE("The likeliest reading is first") {
@@ -358,6 +381,18 @@ TEST_CASE("The likeliest reading is first") {
   const Reading css = first("matrix3d(1, 0, 0, 0, 0, 0.8, 0.6, -0.0012, 0, -0.6, 0.8, -0.0016, 0, 0, 0, 1)");
   CHECK(css.kind == ReadingKind::p);
   CHECK(css.pixels->fx == Approx(500));
+  // Wholly a preset, where another is one but for its world.
+  const Reading vulkan = first(
+      "0.89907 0 0.59938 0\n-0.28479 -1.8511 0.42718 1.8511\n0.53631 -0.26816 -0.80447 11.029\n"
+      "0.53452 -0.26726 -0.80178 11.49223\n");
+  CHECK(vulkan.camera->convention.ndcY == NdcY::down);
+  CHECK(vulkan.camera->convention.world == Handedness::right);
+  // 3D Gaussian Splatting has its matrices transposed, of views with y down.
+  const Reading splats = first(
+      "full_proj_transform\ntensor([[ 2.3555, -0.3053, -0.5185, -0.5185],\n[ 0.0000,  2.7174, -0.2074, -0.2074],\n"
+      "[ 1.4722,  0.4885,  0.8296,  0.8296],\n[ 0.0000,  0.0000,  4.8123,  4.8218]])");
+  CHECK(splats.layout == MatrixLayout::transposed);
+  CHECK(splats.camera->convention.ndcY == NdcY::down);
   // An entry that was typed wrong is named.
   const auto fault = readingsOf(findMatrices("0.6 0 0.8 1\n0 1 0 2\n-0.8 0 2.6 3\n0 0 0 1\n").matrices.front()).fault;
   CHECK(fault == "row 3 has 2.6 where 0.6 would make it a rotation");
