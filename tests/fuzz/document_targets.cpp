@@ -52,7 +52,7 @@ void readPasted(std::string_view input) {
     if (matrix.pasted.numbers.size() != matrix.pasted.rows * matrix.pasted.columns)
       found("a matrix that lacks numbers");
     requireJson(jsonText(matrixReport(matrix)), "info");
-    (void)tableText(matrixPage(matrix, 1, 1), 9);
+    (void)tableText(matrixPage(matrix, nullptr, 1, 1), 9);
     const std::vector<Reading>& readings = matrix.found.readings;
     for (std::size_t i = 0; i < std::min(kMostConverted, readings.size()); ++i) try {
         MatrixSet set;
