@@ -58,7 +58,7 @@ void CameraOptions::add(CLI::App& app) {
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
             "FILE[#N], 'x,y,z rpy:0,0,9', base first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
-  addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
+  addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture; a file's is resized to it");
   addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
