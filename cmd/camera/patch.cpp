@@ -11,6 +11,7 @@
 #include "text/names.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
+#include "text/xml_text.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -57,33 +58,35 @@ Json eulerOf(const std::string& text) {
 
 namespace {
 
-/// <origin xyz="1 2 3" rpy="0 0 1.57"/> of URDF, in radians.
-Json poseOfOrigin(const std::string& text) {
-  const auto numbersOf = [&](const char* name) {
-    std::string numbers = "0,0,0";
-    if (const std::size_t at = text.find(name); at != std::string::npos && at + 5 < text.size()) {
-      numbers.clear();
-      for (std::size_t i = at + 5; i < text.size() && text[i] != text[at + 4]; ++i)
-        if (text[i] != ' ')
-          numbers += text[i];
-        else if (!numbers.empty() && text[i - 1] != ' ')
-          numbers += ',';
-      if (numbers.ends_with(',')) numbers.pop_back();
-    }
-    const auto list = parseNumberList(numbers);
-    if (!list || list->size() != 3)
-      throw UsageError(text + ": expected three numbers, as in <origin xyz=\"1 2 3\" rpy=\"0 0 1.57\"/>");
-    return *list;
-  };
-  Json turns = Json::array();
-  for (const double angle : numbersOf("rpy=")) turns.push_back(formatNumber(angle) + "rad");
-  return {{"translation", numbersOf("xyz=")}, {"euler", {{"order", "rpy"}, {"degrees", turns}}}};
-}
+constexpr const char* kOriginForm = "expected three numbers, as in <origin xyz=\"1 2 3\" rpy=\"0 0 1.57\"/>";
 
 }  // namespace
 
+std::optional<Json> poseOfOrigin(const Json& origin) {
+  Json pose{{"translation", Json::array()}, {"euler", {{"order", "rpy"}, {"degrees", Json::array()}}}};
+  for (const bool isTurn : {false, true}) {
+    const char* const name = isTurn ? "@rpy" : "@xyz";
+    const bool isStated = origin.is_object() && origin.contains(name) && origin[name].is_string();
+    const std::string text = isStated ? origin[name].get<std::string>() : "0 0 0";
+    Json& list = isTurn ? pose["euler"]["degrees"] : pose["translation"];
+    for (const std::string_view word : wordsIn(text)) {
+      const auto number = parseNumber(word);
+      if (!number) return std::nullopt;
+      list.push_back(isTurn ? Json(formatNumber(*number) + "rad") : Json(*number));
+    }
+    if (list.size() != 3) return std::nullopt;
+  }
+  return pose;
+}
+
 std::optional<Json> poseOfText(const std::string& text) {
-  if (text.starts_with("<origin")) return poseOfOrigin(text);
+  if (text.starts_with("<origin")) {
+    Json root;
+    const bool isXml = !parseXml(text, kDeepestJson, root) && root.is_object() && root.contains("origin");
+    const auto pose = isXml ? poseOfOrigin(root["origin"]) : std::nullopt;
+    if (!pose) throw UsageError(text + ": " + kOriginForm);
+    return pose;
+  }
   const std::size_t blank = text.find(' ');
   const auto place = parseNumberList(text.substr(0, blank));
   if (place && place->size() == 3 && blank == std::string::npos)

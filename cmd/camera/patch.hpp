@@ -31,6 +31,9 @@ Patch setPatch(const std::string& text);
 /// (rvec:, radians); or a URDF's <origin xyz="…" rpy="…"/>. Nothing for a text that begins otherwise. The values are
 /// not checked.
 std::optional<Json> poseOfText(const std::string& text);
+/// The origin of a URDF, {"@xyz": "1 2 3", "@rpy": "0 0 1.57"} in metres and radians; nothing where it has not three
+/// numbers each. What it lacks is 0.
+std::optional<Json> poseOfOrigin(const Json& origin);
 /// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);
 

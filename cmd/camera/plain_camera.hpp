@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "camera/read_camera.hpp"
 
@@ -49,6 +50,8 @@ HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef);
 /// 90 (0 to 180 where the first axis returns, as in ZXZ); where the first and last turn are about one line, the last is
 /// 0.
 Vec3 eulerDegreesOf(const PlainPose& pose, const EulerOrder& order, CameraAxes axes);
+/// Places and axes are rounded: what is left of an angle is certain to about 1e-13 degrees.
+inline double certainDegrees(double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; }
 
 /// The camera with this pose, in the document's form of pose: a target at its old distance, and up if it changed; a
 /// direction; a rotation; euler angles in their order; heading, pitch and roll (also for a target on the Earth); or a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -29,11 +30,15 @@ void readWorld(const FieldValues& values, CameraFile& file) {
       values.fail(field, "is a place on the Earth; in the world \"enu\" expected [x, y, z]: east, north, up");
 }
 
-/// Whether turns of roll, pitch and yaw, alone or in poses, may be meant in radians: all within half a turn, and one is
-/// no whole number.
-bool hasRadians(const Json& value) {
-  if (!value.is_object() || !value.contains("order"))
-    return value.is_structured() && std::any_of(value.begin(), value.end(), hasRadians);
+/// Whether a test holds of some turns: of {"order", "degrees"}, alone or in poses.
+bool anyTurns(const Json& value, const std::function<bool(const Json& turns)>& holds) {
+  if (value.is_object() && value.contains("order")) return holds(value);
+  return value.is_structured() &&
+         std::any_of(value.begin(), value.end(), [&](const Json& part) { return anyTurns(part, holds); });
+}
+
+/// Whether turns of roll, pitch and yaw may be meant in radians: all within half a turn, and one is no whole number.
+bool mayBeRadians(const Json& value) {
   const Json turns = value.value("degrees", Json::array());
   const auto isSmall = [](const Json& turn) { return turn.is_number() && std::fabs(turn.get<double>()) < 3.15; };
   const auto isBroken = [](const Json& turn) { return std::fmod(turn.get<double>(), 1) != 0; };
@@ -57,23 +62,18 @@ std::vector<std::string> radiansNotes(const FieldValues& values) {
                     " degrees");
   }
   for (const FieldId field : kPoseFields)
-    if (values.has(field) && hasRadians(values.node(field).json()))
+    if (values.has(field) && anyTurns(values.node(field).json(), mayBeRadians))
       notes.push_back(values.node(field).place().first +
                       ": rpy is in degrees here; a URDF's and tf's radians are written 1.5708rad");
   return notes;
-}
-
-/// Whether turns of Unity's order are among these, alone or in poses.
-bool hasUnityOrder(const Json& value) {
-  return value.is_structured() && ((value.is_object() && value.value("order", Json()) == "unity") ||
-                                   std::any_of(value.begin(), value.end(), hasUnityOrder));
 }
 
 /// Godot and Unity turn in the same order, in worlds of either hand.
 bool isGodots(const FieldValues& values, Handedness world) {
   return world == Handedness::right &&
          std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const FieldId field) {
-           return values.has(field) && hasUnityOrder(values.node(field).json());
+           return values.has(field) &&
+                  anyTurns(values.node(field).json(), [](const Json& turns) { return turns["order"] == "unity"; });
          });
 }
 

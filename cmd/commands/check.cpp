@@ -95,6 +95,8 @@ int runCheck(const CheckOptions& o) {
   const std::vector<std::size_t> picked = cameras.chooseAll(set.second);
   const CameraFile file =
       o.camera.readOne(cameras, o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral));
+  std::vector<bool> isPicked(cameras.size());
+  for (const std::size_t which : picked) isPicked[which] = true;
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   mistakes::PairReport all = o.cameraBy ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);
@@ -105,8 +107,7 @@ int runCheck(const CheckOptions& o) {
     const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
     const auto which = cameras.find(name);
     if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
-    if (std::find(picked.begin(), picked.end(), *which) == picked.end())
-      throw RecordError(0, "names the camera '" + name + "', which is not picked");
+    if (!isPicked[*which]) throw RecordError(0, "names the camera '" + name + "', which is not picked");
     all.add(point, pixel, line, *which, [&] {
       CameraFile each = o.camera.readOne(cameras, *which);
       if (each.worldIsEcef != file.worldIsEcef)

@@ -134,7 +134,7 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
 OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
   const auto degreesOf = [&](const Pose& pose, CameraAxes axes) {
     Vec3 degrees = eulerDegreesOf(plainPose(pose), order.second, axes);
-    for (std::size_t i = 0; i < 3; ++i) degrees[i] = std::round(degrees[i] * 1e12) / 1e12 + 0.0;
+    for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
     return asJson(degrees);
   };
   if (r.kind == ReadingKind::rotation && !r.isMirrored) {

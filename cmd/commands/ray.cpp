@@ -107,7 +107,7 @@ struct Cast {
   const Pixel& pixel;
   const RecordCamera& from;
   const Camera& camera = from.camera;
-  Ray ray{{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+  Ray ray;  ///< NaN where the record has no pixel
   WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
 };
 
@@ -133,21 +133,18 @@ class Caster final : public RecordProcessor {
   }
 
   void compute() override {
-    directions_.resize(pixels_.size());
+    rays_.resize(pixels_.size());
     for (std::size_t begin = 0, end = 0; begin < pixels_.size(); begin = end) {
       while (end < pixels_.size() && cameras_[end] == cameras_[begin]) ++end;
-      screenToRayDirections(cameras_[begin]->camera, std::span(screens_).subspan(begin, end - begin),
-                            std::span(directions_).subspan(begin, end - begin));
+      screenToRays(cameras_[begin]->camera, std::span(screens_).subspan(begin, end - begin),
+                   std::span(rays_).subspan(begin, end - begin));
     }
   }
 
   void results(std::size_t i, ResultValues& values) override {
     const Pixel& pixel = pixels_[i];
-    Cast cast{.pixel = pixel, .from = *cameras_[i]};
+    Cast cast{.pixel = pixel, .from = *cameras_[i], .ray = rays_[i]};
     if (pixel.screen) {
-      const bool isParallel = cast.camera.projection().isOrthographic();
-      cast.ray = {isParallel ? screenToRay(cast.camera, *pixel.screen).origin : cast.camera.pose().eye(),
-                  directions_[i]};
       if (pixel.depth || pixel.viewDistance)
         cast.point = pointBehind(cast.camera, pixel);
       else if (pixel.range)
@@ -220,7 +217,7 @@ class Caster final : public RecordProcessor {
   ResultRows pointless_, pointed_;  ///< of records without and with a distance
   std::vector<Pixel> pixels_;
   std::vector<Vec2> screens_;  ///< NaN where a record has none
-  std::vector<Vec3> directions_;
+  std::vector<Ray> rays_;
   std::vector<const RecordCamera*> cameras_;
 };
 

@@ -1,7 +1,6 @@
 // The options of the world that a camera is written for.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -22,9 +21,6 @@ class WorldOptions {
   std::optional<AxisMap> map_;
   std::optional<double> scale_;
 };
-
-/// Places and axes are rounded: what is left of an angle is certain to about 1e-13 degrees.
-inline double certainDegrees(double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; }
 
 /// --angles ORDER.
 void addAngles(CLI::App& app, const NameRow<EulerOrder>*& order, const std::string& help);

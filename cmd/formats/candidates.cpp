@@ -295,19 +295,20 @@ class Finder {
 
   /// Beside an eye, center is what gluLookAt calls the target; from has a to.
   void nameLookAt() {
-    std::map<std::vector<std::string>, std::vector<Candidate*>> boxes;
+    std::map<std::vector<std::string>, std::map<std::string, Candidate*>> boxes;
     for (const auto& each : found_)
       if (each->numbers.size() == 3 && isAmong(each->kind, "E ?"))
-        boxes[{each->steps.begin(), each->steps.end() - 1}].push_back(each.get());
+        boxes[{each->steps.begin(), each->steps.end() - 1}].emplace(lettersOf(each->steps.back()), each.get());
+    constexpr const char* kPairs[][2] = {
+        {"eye", "center"}, {"eye", "centre"}, {"eye", "at"}, {"from", "to"}, {"from", "at"}};
     for (const auto& [box, places] : boxes)
-      for (Candidate* const eye : places)
-        for (Candidate* const target : places) {
-          const std::string of = lettersOf(eye->steps.back()), at = lettersOf(target->steps.back());
-          if (!(of == "eye" && isAmong(at, "center centre at")) && !(of == "from" && isAmong(at, "to at"))) continue;
-          eye->kind = "E";
-          target->kind = "target";
-          eye->name = target->name = 2;
-        }
+      for (const auto& [of, at] : kPairs) {
+        const auto eye = places.find(of), target = places.find(at);
+        if (eye == places.end() || target == places.end()) continue;
+        eye->second->kind = "E";
+        target->second->kind = "target";
+        eye->second->name = target->second->name = 2;
+      }
   }
 
   /// A step with a star, and what the star stands for: all of it, a run of digits, or what is before or after a _.

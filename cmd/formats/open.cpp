@@ -203,7 +203,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
     isOfCamera = read.poses.cameras.empty();
     if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
   } catch (const UnknownFormat& unknown) {
-    if (const auto pose = jointPose(unknown.text, pick)) return factorOf(*pose, field);
+    if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
     const std::vector<Json> printed = printedPoses(unknown.text);
     if (printed.empty() && isInlineJson(name)) throw;
     if (printed.empty())

@@ -121,15 +121,22 @@ std::vector<Json> printedPoses(std::string_view text) {
   return poses;
 }
 
-std::optional<Json> jointPose(std::string_view text, const std::optional<std::string>& joint) {
-  if (joint) {
-    const std::size_t at = text.find("<joint name=\"" + *joint + "\"");
-    if (at == std::string_view::npos) return std::nullopt;
-    text = text.substr(at, text.find("</joint>", at) - at);
-  }
-  const std::size_t at = text.find("<origin");
-  const bool isOne = at != std::string_view::npos && text.find("<origin", at + 1) == std::string_view::npos;
-  return isOne ? poseOfText(std::string(text.substr(at, text.find('>', at) + 1 - at))) : std::nullopt;
+namespace {
+
+/// The origins of elements with this name; without one, all.
+void addOrigins(const Json& value, const std::optional<std::string>& name, std::vector<const Json*>& origins) {
+  if (value.is_object() && value.contains("origin") && (!name || value.value("@name", "") == *name))
+    origins.push_back(&value["origin"]);
+  if (!value.is_structured()) return;
+  for (const Json& part : value) addOrigins(part, name, origins);
+}
+
+}  // namespace
+
+std::optional<Json> jointPose(const Json& root, const std::optional<std::string>& joint) {
+  std::vector<const Json*> origins;
+  addOrigins(root, joint, origins);
+  return origins.size() == 1 ? poseOfOrigin(*origins.front()) : std::nullopt;
 }
 
 extern const Format kPoses{"poses", "poses without a lens",

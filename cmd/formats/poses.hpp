@@ -24,6 +24,6 @@ PosesOfFile posesOf(const Node& root);
 /// 1. None where one of its matrices is no pose.
 std::vector<Json> printedPoses(std::string_view text);
 /// The origin of a URDF's joint: of the one that has this name, or of the only one.
-std::optional<Json> jointPose(std::string_view text, const std::optional<std::string>& joint);
+std::optional<Json> jointPose(const Json& root, const std::optional<std::string>& joint);
 
 }  // namespace viewproj::cmd

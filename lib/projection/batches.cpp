@@ -26,6 +26,8 @@ ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
   return p;
 }
 
+Vec3 pointAt(const double* xyz, std::size_t i) noexcept { return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}; }
+
 void copyPoints(const Points& points, const std::byte* from, std::size_t count, double* to) noexcept {
   for (std::size_t i = 0; i < count; ++i, from += points.stride, to += 3) {
     if (!points.areFloats) {
@@ -35,6 +37,21 @@ void copyPoints(const Points& points, const std::byte* from, std::size_t count, 
     float xyz[3];
     std::memcpy(xyz, from, sizeof xyz);
     std::copy_n(xyz, 3, to);
+  }
+}
+
+/// Calls use(first, count, three doubles a point) with each block of the points. What lies where the results go, or is
+/// no Vec3, is copied.
+template <class Use>
+void eachBlock(const Points& points, std::size_t count, const void* results, const Use& use) noexcept {
+  const auto* const first = static_cast<const std::byte*>(points.first);
+  const bool isCopied = points.areFloats || points.stride != sizeof(Vec3) || points.first == results;
+  double copy[3 * kBlock];  // unlike vectors, not made zero
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    const std::byte* const start = first + i * points.stride;
+    if (isCopied) copyPoints(points, start, size, copy);
+    use(i, size, isCopied ? copy : reinterpret_cast<const double*>(start));
   }
 }
 
@@ -49,28 +66,17 @@ BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<
                           Precision precision) noexcept {
   const CameraParts& c = parts(camera);
   const auto kernel = kernelOf(c, precision);
-  const std::size_t count = std::min(points.count, screen.size());
-  // What lies where the results go, or is no Vec3, is copied.
-  const auto* const first = static_cast<const std::byte*>(points.first);
-  const bool isPlain = !points.areFloats && points.stride == sizeof(Vec3);
-  const bool isCopied = !isPlain || first == reinterpret_cast<const std::byte*>(screen.data());
   BatchCounts counts;
-  double copy[3 * kBlock];  // unlike vectors, not made zero
-  for (std::size_t i = 0; i < count; i += kBlock) {
-    const std::size_t size = std::min(kBlock, count - i);
-    const std::byte* const start = first + i * points.stride;
-    const double* const in = isCopied ? copy : reinterpret_cast<const double*>(start);
-    if (isCopied) copyPoints(points, start, size, copy);
-    Vec3* out = screen.data() + i;
+  const std::size_t count = std::min(points.count, screen.size());
+  eachBlock(points, count, screen.data(), [&](std::size_t first, std::size_t size, const double* in) {
+    Vec3* const out = screen.data() + first;
     Left left;
-    const auto settle = [&](std::size_t j) {
-      const ScreenPoint p =
-          counted(worldToScreen(camera, Vec3{in[3 * j], in[3 * j + 1], in[3 * j + 2]}, precision), counts);
-      out[j] = {p.x, p.y, p.depth};
-    };
     kernel(c.constants, in, &out->x, nullptr, size, left.bits);
-    left.each(settle);
-  }
+    left.each([&](std::size_t j) {
+      const ScreenPoint p = counted(worldToScreen(camera, pointAt(in, j), precision), counts);
+      out[j] = {p.x, p.y, p.depth};
+    });
+  });
   return counts;
 }
 
@@ -84,25 +90,18 @@ BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<
   const CameraParts& c = parts(camera);
   const auto kernel = kernelOf(c, precision);
   if (c.lens) precision = Precision::exact;
-  const std::size_t count = std::min(points.count, screen.size());
-  const bool isCopied = points.areFloats || points.stride != sizeof(Vec3);
   BatchCounts counts;
-  double copy[3 * kBlock], position[3 * kBlock], distance[kBlock];
-  for (std::size_t i = 0; i < count; i += kBlock) {
-    const std::size_t size = std::min(kBlock, count - i);
-    const std::byte* const start = static_cast<const std::byte*>(points.first) + i * points.stride;
-    const double* const in = isCopied ? copy : reinterpret_cast<const double*>(start);
-    if (isCopied) copyPoints(points, start, size, copy);
+  double position[3 * kBlock], distance[kBlock];
+  const std::size_t count = std::min(points.count, screen.size());
+  eachBlock(points, count, screen.data(), [&](std::size_t first, std::size_t size, const double* in) {
     Left left;
     kernel(c.constants, in, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
-      const double *const p = position + 3 * j, *const at = in + 3 * j;
-      if (left.has(j))
-        screen[i + j] = counted(worldToScreen(camera, Vec3{at[0], at[1], at[2]}, precision), counts);
-      else
-        screen[i + j] = settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
+      const Vec3 at = pointAt(position, j);
+      screen[first + j] = left.has(j) ? counted(worldToScreen(camera, pointAt(in, j), precision), counts)
+                                      : settled(c, !std::isnan(at.x), at, distance[j], precision);
     }
-  }
+  });
   return counts;
 }
 
@@ -127,8 +126,17 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
 }
 
 void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
+  const CameraParts& c = parts(camera);
   const std::size_t count = std::min(pixels.size(), rays.size());
-  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], origin);
+  const bool isFromEye = origin == RayOrigin::eye && !c.projection.orthographic;
+  Vec3 directions[kBlock];
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    if (isFromEye) screenToRayDirections(camera, pixels.subspan(i, size), directions);
+    for (std::size_t j = 0; j < size; ++j)
+      rays[i + j] = isFromEye && isInDomain(pixels[i + j]) ? Ray{c.pose.eye, directions[j]}
+                                                           : screenToRay(camera, pixels[i + j], origin);
+  }
 }
 
 }  // namespace viewproj
