@@ -453,11 +453,7 @@ class Limits(FaultTest):
         self.each(lambda arguments, given: self.assert_same(run(arguments, given, before=small), untroubled(arguments, given)))
 
     def test_a_terminal_is_told_of_keyboards_and_progress_and_gets_no_f64(self):
-        def shown(arguments, typed=b""):
-            child, end = pty.fork()
-            if child == 0:
-                os.execv(TOOL, [TOOL, *arguments])
-            os.write(end, typed)
+        def all_of(end):
             text = b""
             try:
                 while part := os.read(end, 1 << 16):
@@ -465,6 +461,14 @@ class Limits(FaultTest):
             except OSError:  # nobody has the other end any more
                 pass
             os.close(end)
+            return text
+
+        def shown(arguments, typed=b""):
+            child, end = pty.fork()
+            if child == 0:
+                os.execv(TOOL, [TOOL, *arguments])
+            os.write(end, typed)
+            text = all_of(end)
             return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), text
 
         self.assertIn(b"viewproj: reading from the keyboard; Ctrl-D ends the input", shown(PROJECT, b"1 1 1\n\x04")[1])
@@ -479,8 +483,7 @@ class Limits(FaultTest):
             time.sleep(0.1)
         process.stdin.close()
         process.wait(PATIENCE)
-        self.assertRegex(os.read(shows, 1 << 16), rb"records, .* records/s.*\r\x1b\[K$")
-        os.close(shows)
+        self.assertRegex(all_of(shows), rb"records, .* records/s.*\r\x1b\[K$")
 
 
 @unittest.skipIf(SANITIZED or not LIBRARY, "a sanitizer allocates in its own way")
