@@ -44,7 +44,7 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   }
   const auto all = [&](const auto& is) { return std::all_of(items.begin(), items.end(), is); };
   const bool nulls = all([](std::string_view item) { return item == "null"; });
-  if (items.size() >= 2 && items.size() <= 4 && (nulls || all([](auto item) { return beginsJsonNumber(item[0]); }))) {
+  if (items.size() >= 2 && items.size() <= 4 && (nulls || all([](auto item) { return beginsNumber(item[0]); }))) {
     if (isTable(setup))
       cells.push_back({name, nulls ? "" : joined(items, " "), nulls ? name : ""});
     else

@@ -15,7 +15,7 @@ namespace {
 
 /// A finite number as JSON writes it.
 bool isJsonNumber(std::string_view text) {
-  return !text.empty() && beginsJsonNumber(text[0]) &&
+  return !text.empty() && beginsNumber(text[0]) &&
          passJsonScalar(text.data(), text.data() + text.size()) == text.data() + text.size();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "camera/sea_level.hpp"
@@ -17,8 +16,6 @@
 
 namespace viewproj::cmd {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* kEarthObjects =
     "{\"lat\": LAT, \"lon\": LON, \"height\": HEIGHT} or {\"x\": X, \"y\": Y, \"z\": Z}";
@@ -66,16 +63,19 @@ bool readPlainNumbers(const RecordView& record, const NumberPlan& plan, double* 
     if (!field.inner.empty() || field.items > 0) return false;
     const std::string_view value = record.values[field.field];
     const char *const begin = value.data(), *const end = begin + value.size();
+    const double number = field.field < record.numbers.size() ? record.numbers[field.field] : kNoNumber;
     if (!field.isArray) {
-      if (readPlain(begin, end, *slot++) != end) return false;
+      *slot = number;
+      if (std::isnan(number) && readPlain(begin, end, *slot) != end) return false;
+      ++slot;
     } else if (*begin == '[') {
       const std::size_t count = readPlainArray(value, field.most, slot);
       if (count < field.fewest || (field.point == PointForm::ofTheEarth && count == 3)) return false;
-      std::fill(slot + count, slot + field.most, kNone);
+      std::fill(slot + count, slot + field.most, kNoNumber);
       slot += field.most;
     } else {
       if (field.point == PointForm::none || *begin != '{' || !readPlainXyz(value, slot)) return false;
-      std::fill(slot + 3, slot + field.most, kNone);
+      std::fill(slot + 3, slot + field.most, kNoNumber);
       slot += field.most;
     }
   }
@@ -213,7 +213,7 @@ std::size_t readArray(const RecordView& record, const NumberField& field, std::s
   std::size_t count = 0;
   JsonParts parts(value);
   while (const auto item = parts.next()) {
-    if (count == field.most || item->value.empty() || !beginsJsonNumber(item->value[0])) throw expected();
+    if (count == field.most || item->value.empty() || !beginsNumber(item->value[0])) throw expected();
     slots[count++] = numberAt(record, field, item->value);
   }
   if (count < field.fewest) throw expected();
@@ -283,7 +283,7 @@ void readNumbers(const RecordView& record, const NumberPlan& plan, Numbers& numb
     } else {
       slot[count++] = numberAt(record, field, value);
     }
-    std::fill(slot + count, slot + field.most, kNone);
+    std::fill(slot + count, slot + field.most, kNoNumber);
     slot += field.most;
   }
   if (absent == 0) return;
@@ -311,7 +311,7 @@ bool isPointValue(std::string_view json) {
   std::size_t count = 0;
   JsonParts parts(json);
   while (const auto part = parts.next())
-    if (part->value.empty() || !beginsJsonNumber(part->value[0]) || ++count > coordinates::position.most) return false;
+    if (part->value.empty() || !beginsNumber(part->value[0]) || ++count > coordinates::position.most) return false;
   return count >= coordinates::position.fewest;
 }
 

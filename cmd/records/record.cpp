@@ -22,6 +22,7 @@ std::optional<std::size_t> Schema::find(std::string_view name) const {
 std::size_t JsonFields::split(std::string_view text, bool anywhere) {
   keys.clear();
   values.clear();
+  numbers.clear();
   const char* at = text.data();
   const char* const end = at + text.size();
   if (at == end || !opensJson(*at)) return 0;
@@ -38,9 +39,13 @@ std::size_t JsonFields::split(std::string_view text, bool anywhere) {
       if (at == end || *at != ':') return 0;
       at = passJsonSpace(at + 1, end);
     }
-    const char* const after = isArray && !anywhere ? passJsonScalar(at, end) : passJson(at, end, kDeepestJson - 1);
+    double number = kNoNumber;
+    const char* const after = at < end && beginsNumber(*at) ? passJsonNumber(at, end, number)
+                              : isArray && !anywhere        ? passJsonScalar(at, end)
+                                                            : passJson(at, end, kDeepestJson - 1);
     if (!after) return 0;
     values.emplace_back(at, after);
+    numbers.push_back(number);
     if (values.size() > kMostFields) return 0;
     at = passJsonSpace(after, end);
     if (at == end) return 0;

@@ -42,6 +42,7 @@ struct RecordView {
   std::string_view text;
   const Schema* schema = nullptr;
   std::span<const std::string_view> values;
+  std::span<const double> numbers = {};  ///< of the values, where the scan has read them; kNoNumber of others
 
   /// The offset of a value in the text.
   std::size_t offset(std::size_t field) const { return static_cast<std::size_t>(values[field].data() - text.data()); }
@@ -70,6 +71,7 @@ inline constexpr const char* kNoRecord = "expected a record: an array of numbers
 class JsonFields {
  public:
   std::vector<std::string_view> keys, values;
+  std::vector<double> numbers;  ///< of the values with a fraction or exponent; kNoNumber for others
   bool isArray = false;
 
   /// Splits the record at the beginning of a text. Returns its size; 0 if it is not valid JSON. `anywhere`: also if it

@@ -138,6 +138,7 @@ void Batch::flush() {
   std::size_t added = 0;
   for (Row& row : rows_) {
     row.record.values = std::span(values_).subspan(row.values, row.count);
+    row.record.numbers = {};  // the reader has those of other records by now
     if (row.saysError) {
       writer_.writeError(row.record, position_.positionOf(row.record.text.data()).line, row.error);
       ++result_.records;

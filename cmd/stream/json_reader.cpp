@@ -60,13 +60,27 @@ class JsonReader final : public RecordReader {
   }
 
   void takeFields(std::string_view text, RecordSink& sink) {
+    if (!hasKey()) makeKey();
+    take(key_, {text, nullptr, fields_.values, fields_.numbers}, sink, [&] { return fields_.schema(text); });
+  }
+
+  void makeKey() {
     key_.clear();
     if (fields_.isArray) key_ = '[' + std::to_string(fields_.values.size());
     for (const std::string_view key : fields_.keys) {
       key_ += key;
       key_ += '\n';  // which no key has
     }
-    take(key_, text, fields_.values, sink, [&] { return fields_.schema(text); });
+  }
+
+  /// Whether the key is that of the record, as most have that of the one before.
+  bool hasKey() const {
+    std::string_view rest = key_;
+    for (const std::string_view key : fields_.keys) {
+      if (!rest.starts_with(key) || rest.size() == key.size() || rest[key.size()] != '\n') return false;
+      rest.remove_prefix(key.size() + 1);
+    }
+    return !fields_.isArray && rest.empty();
   }
 
   JsonFields fields_;

@@ -31,7 +31,7 @@ class CsvReader final : public RecordReader {
       else if (!record_.fault.empty())
         sink.bad(line, RecordError(record_.faultAt, record_.fault), record_.fields);
       else if (size == header_.size && (size > 1 || !isBlank(line)))
-        take("", line, record_.fields, sink, [&] { return header_; });
+        take("", {line, nullptr, record_.fields, record_.numbers}, sink, [&] { return header_; });
       else if (!isBlank(line))
         sink.bad(line, wrongSize(line), record_.fields);
     }
@@ -71,7 +71,7 @@ class TextReader final : public RecordReader {
     } catch (const RecordError& e) {
       return sink.bad(line, e);
     }
-    take(std::to_string(words_.size()), line, words_, sink, [&] {
+    take(std::to_string(words_.size()), {line, nullptr, words_}, sink, [&] {
       return Schema{Form::text, true, words_.size(), {}};
     });
   }
@@ -95,7 +95,7 @@ class BinaryReader final : public RecordReader {
       const std::size_t done = some > 0 ? sink.convert({doubles + 3 * i, 3 * some}) : 0;
       i += done;
       if (done == some && some > 0) continue;
-      take("", text.substr(i++ * record, record), {}, sink, [&] { return schema_; });
+      take("", {text.substr(i++ * record, record), nullptr, {}}, sink, [&] { return schema_; });
     }
     if (const std::string_view rest = text.substr(count * record); !rest.empty())
       sink.bad(rest, RecordError(0, "has " + std::to_string(rest.size()) + " bytes; expected " +

@@ -76,7 +76,7 @@ std::string cameraNameAt(const RecordView& record, std::size_t field) {
   const Form form = record.schema->form;
   if (isBinary(form)) return formatNumber(binaryNumbers(form, record.text)[field]);
   const std::string_view value = record.values[field];
-  const bool isName = form != Form::json || value.starts_with('"') || beginsJsonNumber(value[0]);
+  const bool isName = form != Form::json || value.starts_with('"') || beginsNumber(value[0]);
   return isName ? std::string(trimmed(plainText(record, field))) : "";
 }
 

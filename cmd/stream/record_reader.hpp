@@ -60,17 +60,18 @@ class RecordReader {
  protected:
   /// Records with the same key have the same schema, which makeSchema makes of the first; it may throw RecordError.
   template <class MakeSchema>
-  void take(std::string_view key, std::string_view text, std::span<const std::string_view> values, RecordSink& sink,
-            const MakeSchema& makeSchema) {
+  void take(std::string_view key, const RecordView& unread, RecordSink& sink, const MakeSchema& makeSchema) {
     try {
       if (!last_ || key != lastKey_) {
         const auto known = schemas_.find(std::string(key));
         last_ = known != schemas_.end() ? known->second.get() : add(key, makeSchema(), sink);
         lastKey_ = key;
       }
-      takeKnown({text, &last_->schema, values}, sink);
+      RecordView record = unread;
+      record.schema = &last_->schema;
+      takeKnown(record, sink);
     } catch (const RecordError& e) {
-      sink.bad(text, e, values);
+      sink.bad(unread.text, e, unread.values);
     }
   }
 

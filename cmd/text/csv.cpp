@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "text/number.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -37,6 +38,7 @@ char separatorOf(std::string_view line) {
 
 void CsvRecord::split(std::string_view text, char separator, std::size_t most) {
   fields.clear();
+  numbers.clear();
   fault.clear();
   isOpen = false;
   const auto fail = [&](std::size_t at, const std::string& message) {
@@ -56,6 +58,9 @@ void CsvRecord::split(std::string_view text, char separator, std::size_t most) {
       at = first + std::min(after, text.size());
     }
     const char* const closed = at;
+    double number = kNoNumber;
+    const char* const afterNumber = isQuoted ? nullptr : passJsonNumber(at, last, number);
+    if (afterNumber) at = afterNumber;
     while (at < last && *at != separator && *at != '\n') {
       const bool endsLine = *at == '\r' && (at + 1 == last || at[1] == '\n');
       if (endsLine) break;
@@ -65,7 +70,10 @@ void CsvRecord::split(std::string_view text, char separator, std::size_t most) {
     if (isQuoted && at > closed)
       fail(static_cast<std::size_t>(closed - first),
            "text after the closing quote; expected " + nameOf(separator) + " or the end of the line");
-    if (fields.size() <= most) fields.emplace_back(begin, at);
+    if (fields.size() <= most) {
+      fields.emplace_back(begin, at);
+      numbers.push_back(at == afterNumber ? number : kNoNumber);
+    }
     if (at < last && *at == separator) continue;
     if (at < last && *at == '\r') ++at;
     end = static_cast<std::size_t>(at - first);

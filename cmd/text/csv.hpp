@@ -21,6 +21,7 @@ char separatorOf(std::string_view line);
 /// A record of CSV. Its fields are as written, with their quotes.
 struct CsvRecord {
   std::vector<std::string_view> fields;
+  std::vector<double> numbers;  ///< of the fields, where the scan has read them; kNoNumber of others
   std::size_t end = 0;      ///< the offset of its line break, or the text's size
   std::string fault = {};   ///< what is wrong with it; empty if nothing is
   std::size_t faultAt = 0;  ///< and where

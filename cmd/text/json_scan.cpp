@@ -36,7 +36,7 @@ const char* passWord(const char* at, const char* end, std::string_view word) {
   return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
 }
 
-/// Like readJsonNumber, but only without an exponent and with few digits, so always finite; null for other numbers.
+/// Like passJsonNumber, but only without an exponent and with few digits, so always finite; null for other numbers.
 const char* passShortNumber(const char* at, const char* end) {
   constexpr std::ptrdiff_t kShort = 300;
   if (end - at > kShort) end = at + kShort;
@@ -56,7 +56,7 @@ const char* passShortNumber(const char* at, const char* end) {
 const char* passNumber(const char* at, const char* end) {
   double unused = 0;
   const char* const after = passShortNumber(at, end);
-  return after ? after : readJsonNumber(at, end, unused);
+  return after ? after : passJsonNumber(at, end, unused);
 }
 
 /// What is wrong with a string that begins at `begin` and is not valid.

@@ -10,7 +10,6 @@
 namespace viewproj::cmd {
 
 inline bool isJsonSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-inline bool beginsJsonNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
 inline bool opensJson(char c) { return c == '{' || c == '['; }
 
 inline const char* passJsonSpace(const char* at, const char* end) {

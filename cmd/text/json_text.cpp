@@ -36,7 +36,7 @@ class Builder : public JsonEvents {
     const char first = written[0];
     if (first == '"')
       put(unescaped(written.substr(1, written.size() - 2)));
-    else if (beginsJsonNumber(first))
+    else if (beginsNumber(first))
       put(numberOfJson(written));
     else
       put(first == 'n' ? nlohmann::json() : nlohmann::json(first == 't'));

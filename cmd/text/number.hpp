@@ -1,6 +1,7 @@
 // Numbers from text, and as text.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,13 +12,18 @@
 namespace viewproj::cmd {
 
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+inline bool beginsNumber(char c) { return c == '-' || isDigit(c); }
+
+/// Among numbers: there is none.
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Reads the double nearest to the decimal number at the beginning of a text, like std::from_chars, but infinite beyond
 /// the largest double and 0 next to zero. Returns the end of the number, or null if there is none.
 const char* readNumber(const char* begin, const char* end, double& number);
 
-/// Like readNumber, but only for finite numbers that JSON allows: null for 01, 1. and .5, and for 1e999.
-const char* readJsonNumber(const char* begin, const char* end, double& number);
+/// Returns the end of the finite number that begins at `at`, or null if JSON does not allow it: 01, 1., .5, 1e999. Reads
+/// it if it has a fraction or an exponent. Integers are often names: for them `number` stays as it is.
+const char* passJsonNumber(const char* at, const char* end, double& number);
 
 /// The double nearest to a decimal text. Blanks around it and a leading + are allowed. Nothing if the whole text is not
 /// a finite number.

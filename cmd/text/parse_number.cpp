@@ -14,12 +14,14 @@ const char* readNumber(const char* begin, const char* end, double& number) {
   return error == std::errc::invalid_argument ? nullptr : stop;
 }
 
-const char* readJsonNumber(const char* begin, const char* end, double& number) {
-  const char* digit = begin < end && *begin == '-' ? begin + 1 : begin;
+const char* passJsonNumber(const char* at, const char* end, double& number) {
+  constexpr std::ptrdiff_t kFinite = 300;  // so many digits are
+  const char* digit = at < end && *at == '-' ? at + 1 : at;
   if (digit == end || !isDigit(*digit) || (*digit == '0' && end - digit > 1 && isDigit(digit[1]))) return nullptr;
   while (digit < end && isDigit(*digit)) ++digit;
+  if ((digit == end || (*digit != '.' && (*digit | 0x20) != 'e')) && digit - at < kFinite) return digit;
   if (digit < end && *digit == '.' && (end - digit == 1 || !isDigit(digit[1]))) return nullptr;
-  const char* const stop = readNumber(begin, end, number);
+  const char* const stop = readNumber(at, end, number);
   return std::isfinite(number) ? stop : nullptr;
 }
 
