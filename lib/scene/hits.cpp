@@ -56,6 +56,13 @@ std::optional<Hit> hitAt(const Ray& ray, const Product& numerator, const Divisor
   return hit;
 }
 
+/// All points of a plane across an axis have one coordinate.
+Known knownOf(const Plane& plane) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0) return {axis, plane.point[axis] + 0.0};  // no -0
+  return {};
+}
+
 Hits oneHit(Hit hit, const Vec3& normal) noexcept {
   hit.normal = normal;
   return {{hit, {}}, 1};
@@ -68,7 +75,7 @@ std::optional<Hits> planeHits(const Ray& ray, const Plane& plane) noexcept {
   const auto away = dot(normal, difference<Number>(plane.point, ray.origin));
   if (!along.isCertain() || !away.isCertain()) return {};
   if (along.sign() == 0 || along.sign() * away.sign() < 0) return Hits{};
-  const std::optional<Hit> hit = hitAt<Number>(ray, away, along);
+  const std::optional<Hit> hit = hitAt<Number>(ray, away, along, knownOf(plane));
   if (!hit) return {};
   return oneHit(*hit, unitOf(toWide(plane.normal)));
 }
