@@ -28,56 +28,26 @@ const char* readPlain(const char* at, const char* end, double& number) {
   return at && std::isfinite(number) ? at : nullptr;
 }
 
-/// "[1, 2, 3]". Returns how many numbers there are, at most `most`; 0 where it is something else.
-std::size_t readPlainArray(std::string_view json, std::size_t most, double* slots) {
-  const char *at = json.data(), *const end = at + json.size();
-  for (std::size_t count = 1; count <= most; ++count) {
-    at = readPlain(passJsonSpace(at + 1, end), end, *slots++);
-    if (!at) return 0;
-    at = passJsonSpace(at, end);
-    if (*at == ']') return count;
-  }
-  return 0;
-}
-
-/// {"x": 1, "y": 2, "z": 3} in any order.
-bool readPlainXyz(std::string_view json, double* slots) {
-  const char *at = json.data(), *const end = at + json.size();
-  unsigned found = 0;
-  for (int i = 0; i < 3; ++i) {
-    at = passJsonSpace(at + 1, end);
-    if (end - at < 5 || at[0] != '"' || at[2] != '"') return false;
-    const auto axis = static_cast<unsigned>((at[1] | 0x20) - 'x');
-    if (axis > 2) return false;
-    found |= 1u << axis;
-    at = readPlain(passJsonSpace(passJsonSpace(at + 3, end) + 1, end), end, slots[axis]);
-    if (!at) return false;
-    at = passJsonSpace(at, end);
-  }
-  return found == 7 && *at == '}';
-}
-
 /// False does not mean that the numbers are wrong.
 bool readPlainNumbers(const RecordView& record, const NumberPlan& plan, double* slot) {
   for (const NumberField& field : plan.fields) {
     if (!field.inner.empty() || field.items > 0) return false;
-    const std::string_view value = record.values[field.field];
-    const char *const begin = value.data(), *const end = begin + value.size();
-    const double number = field.field < record.numbers.size() ? record.numbers[field.field] : kNoNumber;
     if (!field.isArray) {
-      *slot = number;
-      if (std::isnan(number) && readPlain(begin, end, *slot) != end) return false;
+      *slot = field.field < record.numbers.size() ? record.numbers[field.field] : kNoNumber;
+      const std::string_view value = record.values[field.field];
+      const char* const end = value.data() + value.size();
+      if (std::isnan(*slot) && readPlain(value.data(), end, *slot) != end) return false;
       ++slot;
-    } else if (*begin == '[') {
-      const std::size_t count = readPlainArray(value, field.most, slot);
-      if (count < field.fewest || (field.point == PointForm::ofTheEarth && count == 3)) return false;
-      std::fill(slot + count, slot + field.most, kNoNumber);
-      slot += field.most;
-    } else {
-      if (field.point == PointForm::none || *begin != '{' || !readPlainXyz(value, slot)) return false;
-      std::fill(slot + 3, slot + field.most, kNoNumber);
-      slot += field.most;
+      continue;
     }
+    const auto point = std::find_if(record.points.begin(), record.points.end(),
+                                    [&](const ScannedPoint& one) { return one.field == field.field; });
+    if (point == record.points.end() || point->count < field.fewest || point->count > field.most) return false;
+    if (point->isObject ? field.point == PointForm::none : field.point == PointForm::ofTheEarth && point->count == 3)
+      return false;
+    std::copy_n(point->numbers.begin(), point->count, slot);
+    std::fill(slot + point->count, slot + field.most, kNoNumber);
+    slot += field.most;
   }
   return true;
 }
@@ -183,7 +153,11 @@ class PointObject {
 /// Reads a point object into three slots. A place becomes its ECEF point.
 void readPointObject(const RecordView& record, const NumberField& field, std::string_view value, double* slots,
                      std::string_view& seaLevel) {
-  if (readPlainXyz(value, slots)) return;
+  ScannedPoint plain;
+  if (passPoint(value.data(), value.data() + value.size(), plain)) {
+    std::copy(plain.numbers.begin(), plain.numbers.end(), slots);
+    return;
+  }
   const PointObject object(value);
   if (!object.isPoint() || (object.isPlace() && field.point == PointForm::vector))
     throw errorAt(record, field, value, expectedArray(field));

@@ -1,6 +1,7 @@
 #include "records/record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 
@@ -12,6 +13,16 @@
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
+namespace {
+
+const char* passAndRead(const char* at, const char* end, double& number) {
+  number = kNoNumber;
+  const char* const after = passJsonNumber(at, end, number);
+  if (after && std::isnan(number)) (void)readNumber(at, after, number);
+  return after;
+}
+
+}  // namespace
 
 std::optional<std::size_t> Schema::find(std::string_view name) const {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -19,10 +30,36 @@ std::optional<std::size_t> Schema::find(std::string_view name) const {
   return std::nullopt;
 }
 
+const char* passPoint(const char* at, const char* end, ScannedPoint& point) {
+  point.isObject = *at == '{';
+  unsigned found = 0;
+  for (point.count = 0; point.count < 3;) {
+    at = passJsonSpace(at + 1, end);
+    std::size_t axis = point.count;
+    if (point.isObject) {
+      if (end - at < 3 || at[0] != '"' || at[2] != '"') return nullptr;
+      axis = static_cast<std::size_t>((at[1] | 0x20) - 'x');
+      at = passJsonSpace(at + 3, end);
+      if (axis > 2 || at == end || *at != ':') return nullptr;
+      at = passJsonSpace(at + 1, end);
+    }
+    at = passAndRead(at, end, point.numbers[axis]);
+    if (!at) return nullptr;
+    found |= 1u << axis;
+    ++point.count;
+    at = passJsonSpace(at, end);
+    if (at == end) return nullptr;
+    if (*at != ',') break;
+  }
+  if (*at != (point.isObject ? '}' : ']')) return nullptr;
+  return (point.isObject ? found == 7 : point.count > 1) ? at + 1 : nullptr;
+}
+
 std::size_t JsonFields::split(std::string_view text, bool anywhere) {
   keys.clear();
   values.clear();
   numbers.clear();
+  points.clear();
   const char* at = text.data();
   const char* const end = at + text.size();
   if (at == end || !opensJson(*at)) return 0;
@@ -40,9 +77,17 @@ std::size_t JsonFields::split(std::string_view text, bool anywhere) {
       at = passJsonSpace(at + 1, end);
     }
     double number = kNoNumber;
-    const char* const after = at < end && beginsNumber(*at) ? passJsonNumber(at, end, number)
-                              : isArray && !anywhere        ? passJsonScalar(at, end)
-                                                            : passJson(at, end, kDeepestJson - 1);
+    const char* after = nullptr;
+    if (at < end && beginsNumber(*at)) {
+      after = passJsonNumber(at, end, number);
+    } else if (isArray && !anywhere) {
+      after = passJsonScalar(at, end);
+    } else {
+      ScannedPoint point{values.size()};
+      if (at < end && opensJson(*at)) after = passPoint(at, end, point);
+      if (after) points.push_back(point);
+      if (!after) after = passJson(at, end, kDeepestJson - 1);
+    }
     if (!after) return 0;
     values.emplace_back(at, after);
     numbers.push_back(number);

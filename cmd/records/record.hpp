@@ -1,6 +1,7 @@
 // One record of a stream: its text, and its fields as they are written.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,12 +38,24 @@ struct Schema {
   std::optional<std::size_t> find(std::string_view name) const;
 };
 
+/// Two or three numbers that are a JSON value, [x, y, z] or {"x": X, "y": Y, "z": Z}, as the scan has read them.
+struct ScannedPoint {
+  std::size_t field = 0;
+  std::size_t count = 0;
+  bool isObject = false;
+  std::array<double, 3> numbers = {};
+};
+
+/// Passes such a value; null for others.
+const char* passPoint(const char* at, const char* end, ScannedPoint& point);
+
 /// A record as it is written: a value is JSON text, or the field of CSV with its quotes. Binary records have none.
 struct RecordView {
   std::string_view text;
   const Schema* schema = nullptr;
   std::span<const std::string_view> values;
   std::span<const double> numbers = {};  ///< of the values, where the scan has read them; kNoNumber of others
+  std::span<const ScannedPoint> points = {};
 
   /// The offset of a value in the text.
   std::size_t offset(std::size_t field) const { return static_cast<std::size_t>(values[field].data() - text.data()); }
@@ -72,6 +85,7 @@ class JsonFields {
  public:
   std::vector<std::string_view> keys, values;
   std::vector<double> numbers;  ///< of the values with a fraction or exponent; kNoNumber for others
+  std::vector<ScannedPoint> points;
   bool isArray = false;
 
   /// Splits the record at the beginning of a text. Returns its size; 0 if it is not valid JSON. `anywhere`: also if it

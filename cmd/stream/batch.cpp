@@ -139,6 +139,7 @@ void Batch::flush() {
   for (Row& row : rows_) {
     row.record.values = std::span(values_).subspan(row.values, row.count);
     row.record.numbers = {};  // the reader has those of other records by now
+    row.record.points = {};
     if (row.saysError) {
       writer_.writeError(row.record, position_.positionOf(row.record.text.data()).line, row.error);
       ++result_.records;

@@ -234,8 +234,9 @@ class Search {
       }
       if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
       e.rms = rootMean(squares, 2 * right.size());
-      const auto logFactorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
-      const double choices = logFactorial(n) - logFactorial(e.wrong.size()) - logFactorial(right.size());
+      double choices = 0;  // logarithm of the ways to choose the wrong ones
+      for (std::size_t i = 1; i <= e.wrong.size(); ++i)
+        choices += std::log(static_cast<double>(right.size() + i) / static_cast<double>(i));
       e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
       const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
       if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
