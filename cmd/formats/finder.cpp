@@ -178,7 +178,9 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
   const std::string path = lowered(pose.path());
   if (hasPart(path, kToWorld)) return "worldFromCamera";
   const auto toward = lens ? towardOf(pose) : std::nullopt;
-  if (toward && shares(toward->second, lens->tag) && !shares(toward->first, lens->tag)) return "cameraFromWorld";
+  const std::vector<std::string> names = lens ? wordsOf(lens->path()) : std::vector<std::string>{};
+  if (toward && shares(toward->second, names) != shares(toward->first, names))
+    return shares(toward->second, names) ? "cameraFromWorld" : "worldFromCamera";
   // Vehicles' files give extrinsics with quaternions, of either direction.
   const bool isUnclear = pose.kind == "Q" && hasPart(path, "extrinsic");
   return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";

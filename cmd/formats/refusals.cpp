@@ -26,7 +26,7 @@ constexpr Refusal kRefusals[] = {
     {"ply\n", true, "is a mesh, which holds no camera"},
     {"PXR-USDC", true,
      "is USD in binary form; usdcat makes text of it, and --focal-length, --sensor-width, --position say its camera"},
-    {"#usda|def Camera \"", false,
+    {"#usda|def Camera \"", true,
      "is USD, which is not read; give focalLength and horizontalAperture to --focal-length and --sensor-width, and the "
      "prim's place and turn to --position and --euler"},
     {"%YAML 1.1\n%TAG !u!", true,

@@ -369,15 +369,21 @@ Json textTree(std::string_view text, bool* hasHeadings) {
     headings = reader.plainHeadings();
     return reader.finished();
   };
-  const auto namesTwice = [](const Json& tree) {
-    return std::count_if(tree.items().begin(), tree.items().end(),
-                         [](const auto& member) { return member.key().size() > 1 && member.key().ends_with('#'); });
-  };
   // Where names come again, words above them tell what each is of.
+  constexpr std::size_t kLeast = 3;
+  std::vector<std::string> names;
   Json tree = read(false);
-  if (namesTwice(tree) < 3) return tree;
+  for (const auto& [name, value] : tree.items())
+    if (name.ends_with('#')) names.push_back(name.substr(0, name.size() - 1));
+  if (names.size() < kLeast) return tree;
   Json sections = read(true);
-  if (namesTwice(sections) > 0) return tree;
+  std::unordered_map<std::string, std::size_t> sectionsWith;
+  for (const Json& section : sections)
+    if (section.is_object())
+      for (const auto& [name, value] : section.items())
+        if (!section.contains(name + "#")) ++sectionsWith[name];
+  if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return sectionsWith[name] < 2; }))
+    return tree;
   if (hasHeadings) *hasHeadings = headings > 1;
   return sections;
 }
