@@ -46,7 +46,7 @@ std::string pathOfColumn(std::string_view column, bool isOnEarth) {
   for (const auto& [path, names] : kShort)
     if (isOneOf(letters, names)) return std::string(path);
   const bool isSeaLevel = isSeaLevelName(column);
-  if (isSeaLevel || letters == "height")
+  if (isSeaLevel || letters == "height" || (letters == "h" && isOnEarth))
     return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
   if (isOneOf(letters, kAmbiguous)) return "";
   if (isOneOf(letters, "projection viewport convention")) return letters;

@@ -1,13 +1,15 @@
 // Columns of tables and records that are fields of a camera.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
 
-/// Names of heights that may be above sea level, in any letter case.
-inline constexpr std::string_view kSeaLevelNames[] = {"alt", "altitude", "elevation", "ele"};
+/// Other names of a height: geodesy's h, and those that may be above sea level, in any letter case.
+inline constexpr std::string_view kHeightNames[] = {"h", "alt", "altitude", "elevation", "ele"};
+inline constexpr std::span kSeaLevelNames = std::span(kHeightNames).subspan(1);
 bool isSeaLevelName(std::string_view name);
 
 /// Where the value of a column stands in a camera document: its path, or one that has a short name, such as x, lat, qx,

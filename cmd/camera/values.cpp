@@ -84,8 +84,18 @@ std::vector<double> readDirection(const Node& value, std::size_t count) {
 }
 
 Quaternion readQuaternion(const Node& value) {
+  if (!value.holdsNumbers(4)) value.fail("expected [x, y, z, w]");
   const std::vector<double> q = readDirection(value, 4);
   return {q[0], q[1], q[2], q[3]};
+}
+
+/// An object {x, y, z, w} is as engines write it, and they differ in the axes and the hand of the world.
+void requireAxes(const Node& rotation) {
+  const Json& root = *rotation.document().root;
+  if (!rotation.json().is_object() || valueAt(root, "convention") || valueAt(root, "cameraAxes")) return;
+  rotation.fail(
+      "{x, y, z, w} needs a convention, for programs differ in their axes: --read-as unity if it is Unity's, --read-as "
+      "opengl if it looks along its -z");
 }
 
 EulerTurns readEuler(const Node& value) {
@@ -251,6 +261,7 @@ FieldValue readValue(const Node& value, const Field& field) {
     case Kind::place:
       return readPosition(value);
     case Kind::quaternion:
+      requireAxes(value);
       return readQuaternion(value);
     case Kind::euler:
       return readEuler(value);
@@ -295,7 +306,10 @@ RigidTransform readRigid(const Node& value) {
     matrix = rotationOf(*euler);
   } else {
     if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
-    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
+    const bool isFlat = rotation->json().is_array() && rotation->size() == 9;
+    if (isFlat || !rotation->holdsNumbers(9))
+      rotation->fail(std::string("expected [x, y, z, w] or 3 rows of 3 numbers") +
+                     (isFlat ? "; 9 in one list may go by rows, or by columns as RealSense's do" : ""));
     const std::vector<double> r = rotation->numbers(9);
     for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
   }

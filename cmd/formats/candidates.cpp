@@ -52,7 +52,7 @@ constexpr ScalarNames kScalars[] = {
     {"fy", "fy fypixels fypixel fly focaly fv focallengthy focallengthypx fypx camerafy fpy"},
     {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x mx"},
     {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y my"},
-    {"f", "f focal focallength focallengthpx focalpx fpix fpixels"},
+    {"f", "f focal focallength focallengthpx focalpx fpix fpixels focallengthmm focalmm fmm"},
     {"w",
      "width sensorwidthpixels widthpixels w rwidth imagewidth imgwidth cols wpx renderwidth framewidth nx imagesizex "
      "xresolution resolutionx integerxresolution camerawidth resx sizex"},
@@ -61,7 +61,7 @@ constexpr ScalarNames kScalars[] = {
      "yresolution resolutiony integeryresolution cameraheight resy sizey"},
     {"fovY", "cameraangley fovy yfov vfov verticalfov fovvertical fovv"},
     {"fovX", "cameraanglex fovx xfov hfov horizontalfov fovhorizontal fovh fovdegrees"},
-    {"fov", "fov fieldofview floatfov fovdeg"},
+    {"fov", "fov fieldofview floatfov fovdeg viewangle"},
     {"k1", "k1 kud"},
     {"gx", "px mu gamma1"},
     {"gy", "py mv gamma2"}};
@@ -155,6 +155,7 @@ constexpr Look kLooks[] = {
     {"E", "3", isAny, kOfE},
     {"direction", "3", isAny, "direction dir forward lookdir"},
     {"target", "3", isAny, "target lookat look looks"},
+    {"target", "3", isAny, "focalpoint", 0, Look::letters},
     {"up", "3", isAny, "up vup upvector headup viewup camup cameraup"},
     {"Q", "4", isUnit, kOfQ},
     {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
@@ -229,6 +230,8 @@ class Finder {
         add(std::string(tangential), steps, n, 1);
       else if (const std::string_view angle = angleOf(key); !angle.empty())
         add(std::string(angle), steps, n, 1);
+      else if (hasWord(key, "pixel") && hasWord(key, "size pitch") && n[0] > 0)
+        add("pixel", steps, n, 1);
       return;
     }
     const double noise = hasWord(key, kNoise) ? -3 : 0;
@@ -248,6 +251,7 @@ class Finder {
       add(std::string(look.kind), steps, look.kind == "K" && !look.suffix.empty() ? transposed(n, 3) : n,
           look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
       found_.back()->isOrdered = value.is_object();
+      found_.back()->isFlat = value.is_array() && value.front().is_number();
     }
     // Items of a list may be thousands of points.
     if (found_.size() == before && (n.size() > 2 || hasWord(key, "dist distortion")) && noise == 0 &&

@@ -11,8 +11,8 @@
 namespace viewproj::cmd {
 
 /// kind: K P X (a pose) R V Q (turns) T E (a translation, an eye) D S F C (focal lengths, a centre), or the name of a
-/// scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z. "?": 3 to 16 numbers that are none of
-/// these.
+/// scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z, pixel (its size). "?": 3 to 16 numbers
+/// that are none of these.
 struct Candidate {
   std::string kind;
   std::vector<std::string> steps;  ///< of the path
@@ -23,6 +23,7 @@ struct Candidate {
   std::map<std::string, std::shared_ptr<const Candidate>> star{};
   std::size_t at = 0;
   bool isOrdered = false;                                 ///< an object, whose names tell which number is which
+  bool isFlat = false;                                    ///< one list, whose numbers may go by rows or by columns
   std::vector<std::shared_ptr<const Candidate>> terms{};  ///< of scalars that stand one after the other
   std::vector<std::string> tag{};  ///< words of the path that say which camera it is of, and not what it is
 

@@ -26,10 +26,10 @@ std::size_t countIn(std::string_view digits) {
   return count;
 }
 
-constexpr double kLeastFocal = 20;
+constexpr double kLeastPixels = 20;
 
 bool isFocal(const std::vector<double>& n) {
-  return n.size() >= 4 && n[0] > kLeastFocal && n[1] > kLeastFocal && n[2] > 0 && n[3] > 0 && !isIntrinsic(n);
+  return n.size() >= 4 && n[0] > kLeastPixels && n[1] > kLeastPixels && n[2] > 0 && n[3] > 0 && !isIntrinsic(n);
 }
 
 bool isLost(const std::vector<double>& m) {
@@ -74,7 +74,7 @@ bool hasShape(const Json& value, std::string_view shape) {
   const auto numbers = numbersIn(value);
   if (!numbers || numbers->empty()) return false;
   const std::vector<std::size_t> dimensions = shapeOf(value);
-  if (shape == "P") return isProjection(*numbers, kLeastFocal) && !(numbers->size() == 16 && isIntrinsic(*numbers));
+  if (shape == "P") return isProjection(*numbers, kLeastPixels) && !(numbers->size() == 16 && isIntrinsic(*numbers));
   if (shape == "K") return isIntrinsic(*numbers);
   if (shape == "M") return (dimensions.size() == 1 || dimensions[1] == 4) && isPose(*numbers);
   if (shape == "Q") return dimensions.size() == 1 && isTimedPose(*numbers);

@@ -145,10 +145,15 @@ Import openViews(const Node& root) {
   return result;
 }
 
-/// A camera as an engine's editor shows or prints it. fov: the field that its angle of view is.
+/// A camera as an engine's editor shows or prints it. turn: its turns in degrees, or a quaternion. fov: the field that
+/// its angle of view is.
 Import openShown(const std::string& engine, const std::vector<double>& place, const std::vector<double>& turn,
                  const Node& root, const char* fov) {
-  Json camera{{"convention", engine}, {"position", place}, {"euler", {{"order", engine}, {"degrees", turn}}}};
+  Json camera{{"convention", engine}, {"position", place}};
+  if (turn.size() == 4)
+    camera["rotation"] = turn;
+  else
+    camera["euler"] = {{"order", engine}, {"degrees", turn}};
   for (const char* name : {"fieldOfView", "FieldOfView", "FOV", "fov"})
     if (const auto angle = root.find(name)) camera["projection"] = {{"type", "perspective"}, {fov, numberOf(*angle)}};
   for (const auto& [name, field] : {std::pair{"nearClipPlane", "near"}, {"farClipPlane", "far"}})
@@ -159,8 +164,11 @@ Import openShown(const std::string& engine, const std::vector<double>& place, co
 }
 
 Import openUnity(const Node& root) {
-  const auto numbersAt = [&](const char* name) { return numbersOf(root.require(name), 3); };
-  return openShown("unity", numbersAt("position"), numbersAt("eulerAngles"), root, "fovY");
+  Node at = root;  // or what the editor copies as a world transform
+  for (const char* name : {"UnityEditor", "TransformWorldPlacementJSON"}) at = at.find(name).value_or(at);
+  const auto turns = at.find("eulerAngles");
+  const auto turn = turns ? numbersOf(*turns, 3) : numbersOf(at.require("rotation"), 4);
+  return openShown("unity", numbersOf(at.require("position"), 3), turn, at, "fovY");
 }
 
 /// Location: X=1 Y=2 Z=3, Rotation: P=-20 Y=30 R=0, as FVector and FRotator are printed; or the names whole.
@@ -182,8 +190,11 @@ extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
 extern const Format kOpenXr{"openxr", "views of OpenXR",
                             "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft !camera_path", devices::openViews,
                             "type next viewState*"};
-extern const Format kUnity{"unity", "a transform of Unity", "position:3 eulerAngles:3", devices::openUnity,
-                           "rotation local* lossyScale scale"};
+extern const Format kUnity{"unity", "a transform of Unity",
+                           "position:3|TransformWorldPlacementJSON.position:3|UnityEditor.TransformWorldPlacementJSON."
+                           "position:3 eulerAngles:3|TransformWorldPlacementJSON.rotation:4|UnityEditor."
+                           "TransformWorldPlacementJSON.rotation:4",
+                           devices::openUnity, "rotation local* lossyScale scale"};
 extern const Format kUnreal{"unreal", "a transform of Unreal", "Location.X Rotation.P|Rotation.Pitch",
                             devices::openUnreal, "Scale"};
 extern const Format kExif{"exiftool", "a drone table of exiftool -n", ":list *.GPSLatitude *.GimbalYawDegree",

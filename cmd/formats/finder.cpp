@@ -8,6 +8,7 @@
 
 #include "camera/fields.hpp"
 #include "formats/candidates.hpp"
+#include "formats/parts.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/names.hpp"
@@ -177,7 +178,9 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
   const std::string path = lowered(pose.path());
   if (hasPart(path, kToWorld)) return "worldFromCamera";
   const auto toward = lens ? towardOf(pose) : std::nullopt;
-  if (toward && shares(toward->second, lens->tag) && !shares(toward->first, lens->tag)) return "cameraFromWorld";
+  const std::vector<std::string> names = lens ? wordsOf(lens->path()) : std::vector<std::string>{};
+  if (toward && shares(toward->second, names) != shares(toward->first, names))
+    return shares(toward->second, names) ? "cameraFromWorld" : "worldFromCamera";
   // Vehicles' files give extrinsics with quaternions, of either direction.
   const bool isUnclear = pose.kind == "Q" && hasPart(path, "extrinsic");
   return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";
@@ -261,6 +264,12 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
   } else {
     line.add(direction.empty() ? "pose" : direction, {turn}, match.score);
   }
+  const auto isByRows = [](const Candidate& each) {
+    return !each.isFlat || each.numbers == transposed(each.numbers, 3);
+  };
+  if (turn->kind == "R" && !isByRows(turn->isStarred() ? *turn->star.begin()->second : *turn))
+    line.ask.push_back(turn->path() + ": its 9 numbers by rows; " + turn->path() +
+                       "^T if they go by columns, as RealSense's extrinsics do");
   if (direction.empty())
     line.ask.push_back(
         turn->path() +
@@ -278,7 +287,33 @@ std::optional<std::array<double, 2>> centreOf(const Line& line) {
   return std::nullopt;
 }
 
+/// A focal length that is short beside the picture is in millimetres, which the size of a pixel divides. lens: the
+/// parts of K.
+void putUnit(Line& line, const Candidates& all, const std::vector<Chosen>& lens, double width) {
+  const std::string focal = lens.front()->path();
+  const double f = lens.front()->numbers.front();
+  if (line.parts.front().first != "K" || f >= kLeastFocal * width) return;
+  const auto pixel = bestOf(*line.first, all, "pixel");
+  if (!pixel || f < 1 || lens.front()->numbers.size() > 2)
+    return line.ask.push_back(focal +
+                              ": so short beside the picture that it is no pixels: millimetres over the size of a "
+                              "pixel, as in /0.00345, or a fraction of the width?");
+  constexpr double kLeastMicrometres = 0.1, kLeastMillimetres = 1e-4;
+  const double size = pixel->parts.front()->numbers.front();
+  const double millimetres = size >= kLeastMicrometres ? size / 1000 : size >= kLeastMillimetres ? size : size * 1000;
+  constexpr int kDigits = 12;
+  std::string& terms = line.parts.front().second;
+  terms.clear();
+  for (const Chosen& each : lens)
+    terms += (terms.empty() ? "" : "+") + each->path() +
+             (isAmong(each->kind, "f fx fy F") ? "/" + formatDigits(millimetres, kDigits) : "");
+  line.used.push_back(pixel->parts.front());
+  line.ask.push_back(focal + ": in millimetres, over " + pixel->parts.front()->path() + " of " +
+                     formatDigits(1000 * millimetres, kDigits) + " micrometres?");
+}
+
 void putSize(Line& line, const Candidates& all, const std::vector<Scalars>& boxes) {
+  const std::vector<Chosen> lens = line.used;
   const auto centre = centreOf(line);
   auto best = bestOf(*line.first, all, "S");
   for (const Scalars& box : boxes) {
@@ -308,6 +343,7 @@ void putSize(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
     line.ask.push_back("cx, cy are far from the middle of the picture: from its middle, or of another size?");
     line.score -= 2;
   }
+  putUnit(line, all, lens, size[isSwapped ? 1 : 0]);
 }
 
 void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxes, bool isFisheye) {
@@ -408,6 +444,20 @@ void putUnreal(Line& line, const Candidates& all) {
   line.isUnreal = true;
 }
 
+/// A place, and what is looked at from there.
+void putAim(Line& line, const Candidate& first, const Candidates& all) {
+  const auto eye = bestOf(first, all, "E");
+  for (const char* kind : {"direction", "target"})
+    if (const auto aim = eye ? bestOf(first, all, kind) : std::nullopt) {
+      line.add("position", eye->parts, eye->score);
+      line.add(kind, aim->parts, aim->score);
+      const auto up = bestOf(first, all, "up");
+      line.add("up", up ? up->parts : std::vector<Chosen>{}, 0, up ? "" : "0+0+1");
+      if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
+      return;
+    }
+}
+
 /// The lines that begin with a lens.
 std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& boxes) {
   std::vector<Line> lines;
@@ -441,15 +491,20 @@ std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& b
     };
     if (tryOut({"fx", "fy", "cx", "cy"}, 4.5) || tryOut({"gx", "gy", "cx", "cy"}, 4.5) ||
         tryOut({"fx", "cx", "cy"}, 4) || tryOut({"f", "cx", "cy"}, 4) ||
-        (!box.contains("cx") && tryOut({"fx", "fy"}, 2))) {
-      if (lines.back().used.size() == 2) lines.back().ask.push_back("no cx, cy: the middle of the picture is taken");
+        (!box.contains("cx") &&
+         (tryOut({"fx", "fy"}, 2) || (box.contains("pixel") && box.contains("w") && tryOut({"f"}, 2))))) {
+      if (lines.back().used.size() <= 2) lines.back().ask.push_back("no cx, cy: the middle of the picture is taken");
       continue;
     }
     for (const auto& [kind, name] : {std::pair{"fovY", "fovY"}, {"fovX", "fovX"}, {"fov", "fovY"}}) {
       const auto angle = box.find(std::string_view(kind));
       if (angle == box.end() || angle->second->numbers.front() < 0.2) continue;
-      const bool isRadians = angle->second->numbers.front() < 3.2;
+      const bool isRadians =
+          angle->second->numbers.front() < 3.2 && !hasWord(angle->second->path(), "deg degs degrees");
       begin(name, {angle->second}, kind == std::string_view("fov") ? 1 : 2, isRadians ? "/0.017453292519943295" : "");
+      if (isRadians && !hasWord(angle->second->path(), "rad rads radians angle"))
+        lines.back().ask.push_back(angle->second->path() +
+                                   ": in radians, as it is below 3.2? Without /0.0174… where it is in degrees");
       if (kind == std::string_view("fov")) lines.back().ask.push_back(angle->second->path() + ": fovY or fovX?");
       break;
     }
@@ -506,32 +561,29 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
     if (name != "P") {
       line.poses = posesFor(*line.first, all);
       if (isFlat) std::erase_if(line.poses, [](const Match& match) { return match.parts.size() > 1; });
-      const auto eye = line.poses.empty() ? bestOf(*line.first, all, "E") : std::nullopt;
-      for (const char* kind : {"direction", "target"})
-        if (const auto aim = eye ? bestOf(*line.first, all, kind) : std::nullopt) {
-          line.add("position", eye->parts, eye->score);
-          line.add(kind, aim->parts, aim->score);
-          const auto up = bestOf(*line.first, all, "up");
-          line.add("up", up ? up->parts : std::vector<Chosen>{}, 0, up ? "" : "0+0+1");
-          if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
-          break;
-        }
+      if (line.poses.empty()) putAim(line, *line.first, all);
       if (isUnreal) putUnreal(line, all);
     }
   }
   sharePoses(lines);
-  if (lines.empty() && !all.empty()) {
-    for (const Chosen& each : all)
-      if (isAmong(each->kind, "X R V Q") && lines.size() < kMost)
+  if (lines.empty()) {
+    const bool hasTarget =
+        std::any_of(all.begin(), all.end(), [](const Chosen& each) { return each->kind == "target"; });
+    for (const Chosen& each : all) {
+      if (lines.size() == kMost) break;
+      Line line;
+      line.first = each;
+      if (isAmong(each->kind, "X R V Q"))
         for (const Match& match : posesFor(*each, all)) {
           if (match.parts.front() != each) continue;
-          Line line;
-          line.first = each;
           putPose(line, match, nullptr);
-          line.ask.push_back("no lens in this file: give it by --fx … or --fov-y, or take it from another file");
-          lines.push_back(std::move(line));
           break;
         }
+      if (each->kind == "E" && hasTarget) putAim(line, *each, all);
+      if (line.parts.empty()) continue;
+      line.ask.push_back("no lens in this file: give it by --fx … or --fov-y, or take it from another file");
+      lines.push_back(std::move(line));
+    }
   }
   for (Line& line : lines)
     if (line.first->isStarred())

@@ -210,7 +210,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening) {
       throw InputError(
           shownName(name) +
           ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
-          "or {\"rotation\", \"translation\"}" +
+          "or {\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
           (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
     *file = {shownName(name), nullptr};
     isOfCamera = false;

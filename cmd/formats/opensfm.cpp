@@ -48,6 +48,10 @@ Import open(const Node& root) {
       result.add((count > 1 ? std::to_string(i) + "/" : "") + item.key(), "", [reconstruction, name = item.key()] {
         return shotOf(reconstruction, reconstruction.require("shots").require(name));
       });
+    if (!result.unread && reconstruction.find("reference_lla"))
+      result.unread = [](std::size_t) {
+        return "reference_lla, from where x, y and z are metres east, north and up (--set world=enu says so)";
+      };
   }
   return result;
 }

@@ -26,6 +26,10 @@
 
 namespace viewproj::cmd {
 
+/// A focal length below it, in widths of the picture, is no pixels where the file says the size of one: 169 degrees
+/// across.
+inline constexpr double kLeastFocal = 0.05;
+
 /// Throws UsageError beginning with label for a name that is no part. isRow: also for those of rows alone.
 void requireNames(const std::vector<Part>& parts, const std::string& label, bool isRow);
 

@@ -41,7 +41,7 @@ constexpr Form kForms[] = {
     {"rotation:4|orientation:4|quaternion:4 translation:3|position:3",
      "worldFromCamera.quaternion=rotation|orientation|quaternion, worldFromCamera.translation=translation|position", "",
      false, false},
-    {"rotation:9 translation:3", "worldFromCamera.rotation=rotation, worldFromCamera.translation=translation", "",
+    {"rotation:3x3 translation:3", "worldFromCamera.rotation=rotation, worldFromCamera.translation=translation", "",
      false, false},
     {"rotationVector:3 translation:3",
      "worldFromCamera.rotationVector=rotationVector, worldFromCamera.translation=translation", "", false, false},

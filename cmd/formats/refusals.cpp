@@ -26,12 +26,18 @@ constexpr Refusal kRefusals[] = {
     {"ply\n", true, "is a mesh, which holds no camera"},
     {"PXR-USDC", true,
      "is USD in binary form; usdcat makes text of it, and --focal-length, --sensor-width, --position say its camera"},
-    {"#usda", true,
+    {"#usda|def Camera \"", true,
      "is USD, which is not read; give focalLength and horizontalAperture to --focal-length and --sensor-width, and the "
      "prim's place and turn to --position and --euler"},
     {"%YAML 1.1\n%TAG !u!", true,
      "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
      "--position and m_LocalRotation to --rotation, with --convention unity"},
+    {"# hugin project file", true,
+     "is a project of Hugin, which is not read; give w and h of an i line to --viewport, and v, where f is 0, to "
+     "--fov-x; its y, p and r turn the picture in a panorama, and its a, b and c are no lens of OpenCV's"},
+    {"opparm ", false,
+     "is a script of Houdini, which is not read; give t to --position, r in the order xyz as --euler ZYX:RZ,RY,RX, "
+     "focal and aperture to --focal-length and --sensor-width, and res to --viewport"},
     {"[gd_scene", true,
      "is a scene of Godot, which is not read; give fov to --fov-y, and the node's transform as worldFromCamera of a "
      "camera file"},

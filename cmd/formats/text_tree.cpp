@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,9 @@ std::string_view withoutComment(std::string_view line) {
 
 class TextReader {
  public:
+  /// hasSections: lines of words alone in front of lines with names open objects, as [heading] does.
+  explicit TextReader(bool hasSections) : hasSections_(hasSections) {}
+
   void readLine(std::string_view line) {
     const std::string_view text = withoutComment(line);
     const std::string_view bare = trimmed(text);
@@ -66,7 +70,13 @@ class TextReader {
       if (isBlank(line)) endBlock();
       return;
     }
-    if (readSeveral(text)) return;
+    const bool isHeading = hasSections_ && isWords(bare);
+    if (isHeading && headings_.size() > 1) headings_.erase(headings_.begin());
+    if (isHeading)
+      headings_.emplace_back(bare);
+    else
+      openSection(bare);
+    if (!isHeading && readSeveral(text)) return;
     std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>");
     std::size_t lead = 0;
     while (lead < words.size() && !numberIn(words[lead])) ++lead;
@@ -95,12 +105,39 @@ class TextReader {
     close();
     return blocks_ > 0 ? std::move(root_) : Json::object();
   }
+  /// Sections under words without a colon, which YAML has not.
+  std::size_t plainHeadings() const { return plainHeadings_; }
 
  private:
   static std::string_view stripped(std::string_view text, std::string_view characters) {
     const std::size_t first = text.find_first_not_of(characters);
     if (first == std::string_view::npos) return "";
     return text.substr(first, text.find_last_not_of(characters) + 1 - first);
+  }
+
+  /// Whether a line has no value behind a mark, as 'Intrinsic of "Depth" / 640x480' and "Color camera:".
+  static bool isWords(std::string_view line) {
+    const std::size_t mark = line.find_first_of("=:");
+    const std::vector<std::string_view> words = partsOf(line, " \t[](){};,=<>");
+    return !words.empty() && !numberIn(words.front()) &&
+           (mark == std::string_view::npos ? !numberIn(words.back()) : mark + 1 == line.size());
+  }
+
+  /// The words above a line with a name, and what stands above the words over numbers alone.
+  void openSection(std::string_view line) {
+    const std::vector<std::string_view> words = partsOf(line, " \t[](){};,=<>");
+    const bool isNumbers = !words.empty() && numberIn(words.front());
+    const std::size_t count = isNumbers ? 2 : 1;
+    if (headings_.size() >= count) {
+      const std::string& heading = headings_[headings_.size() - count];
+      plainHeadings_ += heading.ends_with(':') ? 0 : 1;
+      std::string name;
+      for (const std::string_view word : partsOf(heading, " \t\"'/:#[](){}<>=,;"))
+        name.append(name.empty() ? "" : "_").append(word);
+      if (root_.contains(name)) name += "_" + std::to_string(++sectionsOf_[name] + 1);
+      box_ = &(root_[name] = Json::object());
+    }
+    headings_.clear();
   }
 
   Json& box() { return box_ ? *box_ : root_; }
@@ -274,6 +311,10 @@ class TextReader {
 
   static constexpr const char* kPictures[] = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".dng", ".bmp"};
 
+  const bool hasSections_;
+  std::vector<std::string> headings_;                        ///< the last two of the lines before
+  std::unordered_map<std::string, std::size_t> sectionsOf_;  ///< that had a name again
+  std::size_t plainHeadings_ = 0;
   Json root_ = Json::object();
   Json* box_ = nullptr;  ///< of the last heading
   std::string key_;
@@ -317,13 +358,34 @@ bool isHeader(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Json textTree(std::string_view text) {
-  TextReader reader;
-  eachLine(text, [&](std::string_view line) {
-    reader.readLine(line);
-    return true;
-  });
-  return reader.finished();
+Json textTree(std::string_view text, bool* hasHeadings) {
+  std::size_t headings = 0;
+  const auto read = [&](bool hasSections) {
+    TextReader reader(hasSections);
+    eachLine(text, [&](std::string_view line) {
+      reader.readLine(line);
+      return true;
+    });
+    headings = reader.plainHeadings();
+    return reader.finished();
+  };
+  // Where names come again, words above them tell what each is of.
+  constexpr std::size_t kLeast = 3;
+  std::vector<std::string> names;
+  Json tree = read(false);
+  for (const auto& [name, value] : tree.items())
+    if (name.ends_with('#')) names.push_back(name.substr(0, name.size() - 1));
+  if (names.size() < kLeast) return tree;
+  Json sections = read(true);
+  std::unordered_map<std::string, std::size_t> sectionsWith;
+  for (const Json& section : sections)
+    if (section.is_object())
+      for (const auto& [name, value] : section.items())
+        if (!section.contains(name + "#")) ++sectionsWith[name];
+  if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return sectionsWith[name] < 2; }))
+    return tree;
+  if (hasHeadings) *hasHeadings = headings > 1;
+  return sections;
 }
 
 Json tableTree(std::string_view text) {

@@ -171,7 +171,8 @@ std::string lensMembers(const WrittenCamera& camera, std::string_view between) {
 }  // namespace transforms
 
 extern const Format kTransforms{
-    "transforms", "a transforms.json (NeRF)", "frames:list !asset", transforms::open,
+    "transforms", "a transforms.json (NeRF)", "frames.*.transform_matrix|frames.*.transform_matrix_start !asset",
+    transforms::open,
     "file_path sharpness colmap_im_id *_path aabb_scale scale aabb from_na applied_transform applied_scale "
     "ply_file_path orientation_override *_filenames n_frames idx time rotation fovx fovy fov_x fov_y "
     "fisheye_crop_radius offset n_extra_learnable_dims depth_unit_scale_factor integer_depth_scale "

@@ -81,7 +81,9 @@ void readText(Document& document, std::string text, bool isInline) {
       throw InputError(full);
     document.fault = full;
     document.isPlainText = true;
-    root = textTree(text);
+    bool hasHeadings = false;
+    root = textTree(text, &hasHeadings);
+    if (hasHeadings) document.fault.clear();
     if (root.empty()) throw UnknownFormat(full, *document.text);
   };
   text.erase(0, text.size() - withoutByteOrderMark(text).size());

@@ -11,6 +11,7 @@
 
 #include "camera/fields.hpp"
 #include "formats/finder.hpp"
+#include "formats/parts.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/names.hpp"
@@ -144,8 +145,7 @@ class Unread {
   Json document(const CameraEntry& camera, std::size_t which) {
     const std::lock_guard lock(mutex_);
     Json made = camera.document();
-    if (std::string names = known_.front() == "*" ? "" : judge(camera.own, made); !names.empty())
-      notes_[which] = std::move(names);
+    if (std::string names = judge(camera.own, made); !names.empty()) notes_[which] = std::move(names);
     return made;
   }
   std::string note(std::size_t which) {
@@ -173,6 +173,7 @@ class Unread {
     for (const std::vector<Left>* list : {&lists.left, &shared_->left})
       for (const Left& left : *list) {
         try {
+          requirePixels(left, camera);
           if (!isSaidTwice(left, camera)) judge(left, lists, names);
         } catch (const InputError& e) {
           if (fault.empty()) fault = e.what();
@@ -217,6 +218,16 @@ class Unread {
     if (std::minmax(n[0], n[1]) != std::minmax(*width, *height))
       fail(n[0] == *width ? "height" : "width", n[0] == *width ? *height : *width);
     return true;
+  }
+
+  /// A pixel's size beside a focal length that is too short to be in pixels. Throws.
+  static void requirePixels(const Left& left, const Json& camera) {
+    const bool isPixel = hasWord(left.name, "pixel") && hasWord(left.name, "size pitch");
+    const auto f = statedOf(camera, "fx"), cx = statedOf(camera, "cx"), width = statedOf(camera, "width");
+    if (isPixel && f && cx && *f < kLeastFocal * width.value_or(2 * *cx))
+      left.node.fail("is not read, and the focal length of " + formatDigits(*f, 6) +
+                     " is too short to be in pixels; divide it by this in the same unit, as --parts 'K=fx/0.00345+…' "
+                     "does");
   }
 
   /// Whether members or items of it were read one by one.
@@ -285,13 +296,15 @@ class Unread {
   std::string wayToRead(const Left& left) const {
     const std::size_t count = oneOf(left.node, left.numbers).size();
     const bool isMatrix = (count == 12 || count == 16) && !left.areMembers;
+    const bool isFlat = left.node.json().is_array() && left.node.size() == 9;
     const std::string called = isMatrix ? "call it cameraFromWorld or worldFromCamera, or " : "";
     for (const ProposedLine& line : proposeParts(*file_).lines) {
       const std::size_t pose = std::min({line.parts.find("pose"), line.parts.find("From")});
       if (pose == std::string::npos || line.parts.find(left.name, pose) == std::string::npos) continue;
       const bool isAsked = line.parts.find("pose", pose) != std::string::npos;
       return called + "read it by --parts '" + line.parts + "'" +
-             (isAsked ? ", with worldFromCamera or cameraFromWorld for pose" : "");
+             (isAsked ? ", with worldFromCamera or cameraFromWorld for pose" : "") +
+             (isFlat ? ", and " + left.node.path() + "^T if its numbers go by columns, as RealSense's do" : "");
     }
     return called + "read it by --parts (viewproj help parts)";
   }
@@ -334,6 +347,7 @@ class Unread {
 }  // namespace
 
 Import judged(const std::shared_ptr<Document>& file, Import cameras, std::string_view known) {
+  if (known == "*") return cameras;
   const auto unread = std::make_shared<Unread>(file, cameras, known);
   for (std::size_t i = 0; i < cameras.cameras.size(); ++i) {
     CameraEntry& camera = cameras.cameras[i];

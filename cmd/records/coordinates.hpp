@@ -68,7 +68,7 @@ inline constexpr std::string_view
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
     kXy[] = {{"x"}, {"y"}},
-    kPlace[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}},
+    kPlace[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kHeightNames}},
     kSphere[] = {{"center", 3}, {"radius"}},
     kBox[] = {{"min", 3}, {"max", 3}},
     kRadius[] = {{"radius"}},
@@ -76,7 +76,7 @@ inline constexpr CoordinatePart
     kPxPy[] = {{"px"}, {"py"}},
     kTwoUv[] = {{"u1"}, {"v1"}, {"u2"}, {"v2"}},
     kXyzUvw[] = {{"x"}, {"y"}, {"z"}, {"u"}, {"v"}, {"w"}},
-    kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}, {"u"}, {"v"}},
+    kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kHeightNames}, {"u"}, {"v"}},
     kDepth[] = {{"depth"}},
     kViewDistance[] = {{"viewDistance"}},
     kRange[] = {{"range"}};

@@ -225,15 +225,17 @@ class BlockFinder {
 
   void passOver(Stack parts) {
     std::size_t count = 0;
-    bool areEven = parts.size() > 1 && (parts[0].size() == 3 || parts[0].size() == 4);
+    bool areEven = parts.size() > 1;
     for (const Part& part : parts) {
       count += part.size();
       areEven = areEven && part.size() == parts[0].size();
     }
+    const bool areRows = parts[0].size() == 3 || parts[0].size() == 4;
     passOver(parts[0][0], count,
-             areEven ? std::to_string(parts.size()) + " rows of " + std::to_string(parts[0].size()) +
-                           " numbers are no matrix; put an empty line between two matrices"
-                     : "");
+             areEven && (areRows || isCount(count))
+                 ? std::to_string(parts.size()) + " rows of " + std::to_string(parts[0].size()) +
+                       " numbers are no matrix" + (areRows ? "; put an empty line between two matrices" : "")
+                 : "");
   }
 
   void passOver(const Number& first, std::size_t count, std::string why) {
@@ -300,7 +302,8 @@ class BlockFinder {
       }
       if (most == 3 || most == 4) return {};
     }
-    const bool areEights = parts.size() == 2 && least == 8 && most == 8;
+    // Frame 1 and frame 2 of an animation are no matrix.
+    const bool areEights = parts.size() == 2 && least == 8 && most == 8 && parts[1][0].value != parts[0][0].value + 1;
     if (isOne && isCount(count) && (inside != 0 || most == 1 || areEights)) return {flat(parts)};
     if (inside == 0 && parts.size() == 5)  // "4 4" in front of sixteen
       for (const bool isFront : {true, false}) {

@@ -189,7 +189,7 @@ ROWS = [
     ("w first", "quaternion-order", changed(rotation, rotation=lambda s: s.rotation()[3:] + s.rotation()[:3]), same),
     ("w last, read as if it were first", "quaternion-order", changed(rotation, rotation=lambda s: s.rotation()[1:] + s.rotation()[:1]), same),
     ("w first, each number by its name", "quaternion-order",
-     changed(rotation, rotation=lambda s: dict(zip("xyzw", s.rotation()[3:] + s.rotation()[:3]))), same),
+     changed(rotation, convention="opengl", rotation=lambda s: dict(zip("xyzw", s.rotation()[3:] + s.rotation()[:3]))), same),
     # gaussian-splatting PR#111, nerfstudio#1504, instant-ngp#1486, 4DGaussians#191
     ("OpenCV's axes as OpenGL's", "camera-axes", changed(rotation, cameraAxes="RDF"), same),
     ("a distortion left out", "distortion-ignored", lens, same),
