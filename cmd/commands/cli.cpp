@@ -224,6 +224,7 @@ void refuse(CLI::Option* option, const std::string& value, const std::string& ad
 }
 
 OptionGroup::OptionGroup(CLI::App& app, const char* group) : app_(app) { app.option_defaults()->group(group); }
+// NOLINTNEXTLINE(bugprone-exception-escape): so short a name needs no memory
 OptionGroup::~OptionGroup() { app_.option_defaults()->group("Options"); }
 
 void takeEnding(CLI::App& app, std::vector<FormRow<std::size_t>> rows, std::function<void(std::size_t form)> take) {

@@ -104,7 +104,7 @@ class OptionGroup {
  public:
   OptionGroup(CLI::App& app, const char* group);
   OptionGroup(const OptionGroup&) = delete;
-  ~OptionGroup();
+  ~OptionGroup();  // NOLINT(bugprone-exception-escape)
 
  private:
   CLI::App& app_;

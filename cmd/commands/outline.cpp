@@ -194,7 +194,7 @@ class Tracer {
     const auto isCut = [](const Piece& before, const Piece& after) { return !before.state.sees && after.state.sees; };
     auto start = isCut(all.back(), all.front()) ? all.begin() : std::adjacent_find(all.begin(), all.end(), isCut);
     Runs found{{}, start != all.end()};
-    if (found.areCut && start->state.sees == false) ++start;
+    if (found.areCut && !start->state.sees) ++start;
     if (found.areCut) std::rotate(all.begin(), start, all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i].state.sees) continue;

@@ -58,17 +58,16 @@ class Scanner {
     while (at_ < t_.size()) {
       const char c = t_[at_];
       const bool isDots = follows("...");
+      const bool isMark = isLineStart && (isAmong(c, "*>") || (isAmong(c, "+-") && isSpaceOrEnd(at_ + 1)));
       if (c == '\n') {
         ++line_;
         ++at_;
         isLineStart = true;
         skipTableRule();
-      } else if (isLineStart && (isAmong(c, "*>") || (isAmong(c, "+-") && isSpaceOrEnd(at_ + 1)))) {
-        ++at_;
       } else if (isDots) {  // a prompt at the start of a line, a continuation at its end
         if (isLineStart == lineEndsAt(at_ + 3)) emit(Kind::elided);
         at_ += 3;
-      } else if (isAmong(c, " \t")) {
+      } else if (isMark || isAmong(c, " \t")) {
         ++at_;
       } else {
         isLineStart = false;
