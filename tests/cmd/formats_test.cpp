@@ -272,6 +272,21 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
            "camera_type": "fisheye", "render_height": 1080, "render_width": 1920})",
        "camera_type"},
   };
+  // Whatever depth, form and word says it.
+  const char* const kMovesPixels[] = {
+      R"("lens": {"k": [-0.2, 0.03]})", R"("lens": {"k": -0.2})", R"("optics": {"barrel": -0.2})", R"("kc1": 0.1)",
+      R"("mount": {"pitch_deg": -10})", R"("cal": {"mount": {"roll_deg": 3}})", R"("place": {"east": 5, "north": 2})",
+      R"("place": {"lat": 46.1, "lon": 7.2})", R"("upside_down": true)", R"("mirrored": "yes")", R"("vflip": 1)",
+      R"("origin": "bottom-left")", R"("y_axis": "up")", R"("handedness": "left")", R"("convention": "opengl")",
+      R"("calib_size": [1280, 960])", R"("sensor": [1280, 960])", R"("ref_size": "1280x960")", R"("binning": "2x2")",
+      R"("scale": "1/2")", R"("projection": "stereographic")", R"("lens_type": "equisolid")", R"("model": "rational")",
+      R"("units": "normalized")", R"("rotation_deg": 90)"};
+  for (const std::string text : kMovesPixels) {
+    INFO(text);
+    const std::string name = text.substr(1, text.find('"', 1) - 1);
+    CHECK(messageOf(R"({"fx": 600, "fy": 601, "cx": 320, "cy": 240, "width": 640, "height": 480, )" + text + "}")
+              .find(name) != std::string::npos);
+  }
   for (const auto& [text, place] : kRefused) {
     INFO(text);
     const std::string got = messageOf(text);
@@ -284,6 +299,13 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       openCameras(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "baseline": 0.12})", {.option = "FILE"}, {});
   (void)named->document(0);
   CHECK(named->unreadOf(0) == "baseline");
+  const auto words = openCameras(
+      R"({"fx": 600, "fy": 601, "cx": 320, "cy": 240, "width": 640, "height": 480, "mount": {"gap": 2}, "lens": {"focal_mm": 4.2},
+          "rectified": true, "projection": "odd", "note": "in the hall", "origin": "top-left", "units": "m", "camera": "left",
+          "binning": "1x1", "aspect_ratio": "4/3", "size": "640x480", "file": "fisheye/1.png", "flip": false, "frame_id": "up"})",
+      {.option = "FILE"}, {});
+  (void)words->document(0);
+  CHECK(words->unreadOf(0) == "lens.focal_mm, mount.gap, projection, rectified");
   const auto agreed = openCameras(
       R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "fx": 100, "cy": 24.5, "fovx": 53, "image_width": 100, "resolution": [50, 100]})",
       {.option = "FILE"}, {});
