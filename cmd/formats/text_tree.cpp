@@ -77,7 +77,8 @@ class TextReader {
     else
       openSection(bare);
     if (!isHeading && readSeveral(text)) return;
-    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>");
+    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>|");
+    while (words.size() > 1 && isCallee(text, words.front())) words.erase(words.begin());
     std::size_t lead = 0;
     while (lead < words.size() && !numberIn(words[lead])) ++lead;
     if (lead > 0) {
@@ -113,6 +114,13 @@ class TextReader {
     const std::size_t first = text.find_first_not_of(characters);
     if (first == std::string_view::npos) return "";
     return text.substr(first, text.find_last_not_of(characters) + 1 - first);
+  }
+
+  /// Whether a word makes the list or matrix in the bracket behind it: array([[1, 2]]).
+  static bool isCallee(std::string_view text, std::string_view word) {
+    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    return (word.ends_with("array") || word.ends_with("tensor") || word.ends_with("Matrix")) && end < text.size() &&
+           text[end] == '(';
   }
 
   /// Whether a line has no value behind a mark, as 'Intrinsic of "Depth" / 640x480' and "Color camera:".
@@ -185,7 +193,7 @@ class TextReader {
       if (!heading.empty() && !name.empty()) texts.emplace_back(std::exchange(heading, ""), name);
       name.clear();
     };
-    constexpr std::string_view kMarks = " \t=:,;[{(<>)}]";
+    constexpr std::string_view kMarks = " \t=:,;[{(<>)}]|";
     const bool hasAngles = text.find('>') != std::string_view::npos;  // << alone is no bracket
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];

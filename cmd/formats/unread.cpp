@@ -66,10 +66,6 @@ constexpr std::string_view kOfAxes = "axis axes origin handedness handed chirali
 /// Sizes that are not the picture's.
 constexpr std::string_view kSizeWords = "size sz resolution res dim dims dimension dimensions shape sensor",
                            kOtherSizes = "tile patch window kernel block cell grid pixel";
-/// Members that no format reads and that say nothing about the picture.
-constexpr std::string_view kKnown =
-    "T_imu_body timestamp* time date *_time version* description name id index serial* frame_id seq stamp "
-    "sec nsec class_name comment* license $schema depth* *_id *_index *fps exposure* gain iso* *count num_* n_*";
 
 bool areZero(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
@@ -214,7 +210,7 @@ class Unread {
  public:
   Unread(std::shared_ptr<Document> file, const Import& cameras, std::string_view known)
       : file_(std::move(file)), known_(wordsIn(known)), apart_(cameras.apart.begin(), cameras.apart.end()) {
-    for (const std::string_view name : wordsIn(kKnown)) known_.push_back(name);
+    for (const std::string_view name : wordsIn(kSaysNothing)) known_.push_back(name);
     for (const CameraEntry& camera : cameras.cameras)
       if (camera.own) apart_.insert(&camera.own->json());
   }
