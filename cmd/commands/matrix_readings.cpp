@@ -395,8 +395,9 @@ std::string disparityOf(const Mat4& m) {
                    m[3][2] != 0 && -m[0][3] > kFewestPixels && -m[1][3] > kFewestPixels && m[2][3] > kFewestPixels;
   const auto shown = [](double value) { return formatDigits(value, 6); };
   return isQ ? "it is Q of OpenCV's stereoRectify, which makes depths of disparities, and no camera's matrix: f " +
-                   shown(m[2][3]) + ", cx " + shown(-m[0][3]) + ", cy " + shown(-m[1][3]) + " of its rectified cameras, " +
-                   "baseline " + shown(std::fabs(1 / m[3][2])) + "; P1 and P2 are their matrices"
+                   shown(m[2][3]) + ", cx " + shown(-m[0][3]) + ", cy " + shown(-m[1][3]) +
+                   " of its rectified cameras, " + "baseline " + shown(std::fabs(1 / m[3][2])) +
+                   "; P1 and P2 are their matrices"
              : "";
 }
 
@@ -472,8 +473,7 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
     cost += 0.2;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
-  const bool isAsHinted = hint.axes == ViewAxes::RDF && r.camera->convention.view == ViewAxes::RDF;
-  if (isAsHinted && isUpsideDown(*r.camera->pose)) cost += 0.3;
+  if (hint.areAxesOfK && r.camera->convention.view == hint.axes && isUpsideDown(*r.camera->pose)) cost += 0.3;
   if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
   double error = 1e-300;
   for (const Reading& other : all)
@@ -549,7 +549,8 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
   if (!std::all_of(readings.begin(), readings.end(), hasNoDepth)) std::erase_if(readings, hasNoDepth);
   if (!std::all_of(readings.begin(), readings.end(), isMultiple)) std::erase_if(readings, isMultiple);
   KindHint hint = hintOf(pasted);
-  if (!hint.axes && isBesideK) hint.axes = ViewAxes::RDF;
+  hint.areAxesOfK = !hint.axes && isBesideK;
+  if (hint.areAxesOfK) hint.axes = ViewAxes::RDF;
   // An inverse where a name says so, or where nothing usual fits and the inverse is usual.
   const bool isNamed = hint.kind == ReadingKind::projectionInverse || hint.kind == ReadingKind::viewProjectionInverse;
   if (pasted.rows == 4 && pasted.columns == 4 &&

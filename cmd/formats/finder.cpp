@@ -152,7 +152,8 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
 void addCoefficients(Candidates& all) {
   const Candidates found = all;
   for (const Chosen& k : found) {
-    if (k->kind != "k" || k->steps.size() < 2 || !hasWord(k->steps[k->steps.size() - 2], "lens dist distortion")) continue;
+    if (k->kind != "k" || k->steps.size() < 2 || !hasWord(k->steps[k->steps.size() - 2], "lens dist distortion"))
+      continue;
     const auto beside = std::find_if(found.begin(), found.end(), [&](const Chosen& p) {
       return p->kind == "p" && p->star.size() == k->star.size() && p->at == k->at &&
              std::equal(p->steps.begin(), p->steps.end() - 1, k->steps.begin(), k->steps.end() - 1);
@@ -188,7 +189,7 @@ constexpr std::string_view
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
         "velo_to_cam velo2cam _to_cam cam_from_rig",
     kOfNerf = "transform_matrix matrix_world camera_to_world", kFisheye = "fisheye equidistant kannala \"kb4\"",
-    kOfUnreal = "unreal carla sensor.camera image_size_x";
+    kOfUnreal = "unreal carla sensor.camera image_size_x relativerotation";
 
 /// Whether a text has one of these in it.
 bool hasPart(std::string_view text, std::string_view parts) {
@@ -313,9 +314,10 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
         ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
   const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
   if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
-    line.ask.push_back(turn->path() +
-                       ": if world from camera, likely right, up, back: --set cameraAxes=RUB; with right, down, forward it "
-                       "is upside down where z is up, and looks away from the origin");
+    line.ask.push_back(
+        turn->path() +
+        ": if world from camera, likely right, up, back: --set cameraAxes=RUB; with right, down, forward it "
+        "is upside down where z is up, and looks away from the origin");
   else if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
     line.ask.push_back(turn->path() + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
 }
@@ -592,8 +594,9 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
     if (name == "P" && line.first->path().ends_with("^T"))
-      line.ask.push_back(line.first->path() +
-                         ": by columns, as MATLAB's cameraMatrix; its pixels count from 1: --set viewport.pixelCenter=1");
+      line.ask.push_back(
+          line.first->path() +
+          ": by columns, as MATLAB's cameraMatrix; its pixels count from 1: --set viewport.pixelCenter=1");
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
                                         hasWord(line.first->steps.back(), "p projection rect rectified"));
     if (!isFlat) {
@@ -673,7 +676,8 @@ std::map<std::string, std::string> starsOf(const std::vector<Line>& lines) {
   std::map<std::string, std::string> stars;
   for (const Line& line : lines) {
     const Candidate& first = *line.first;
-    const std::string box = joined({first.steps.begin(), first.steps.begin() + static_cast<std::ptrdiff_t>(first.at)}, ".");
+    const std::string box =
+        joined({first.steps.begin(), first.steps.begin() + static_cast<std::ptrdiff_t>(first.at)}, ".");
     for (const auto& [star, each] : first.star)
       stars.emplace(joinedPath(box, withStar(first.steps[first.at], star)), joinedPath(box, first.steps[first.at]));
   }

@@ -294,6 +294,15 @@ class TextReader {
     if (box().contains(key_)) key_.clear();
   }
 
+  /// Three whole numbers and a matrix of 4 rows, in turn: a trajectory of Open3D.
+  bool isTrajectory() const {
+    if (block_.empty() || block_.size() % 5 != 0) return false;
+    for (std::size_t i = 0; i < block_.size(); ++i)
+      if (block_[i].size() != (i % 5 == 0 ? 3 : 4) || (i % 5 == 4 && block_[i] != std::vector<double>{0, 0, 0, 1}))
+        return false;
+    return true;
+  }
+
   void close() {
     if (block_.empty()) return;
     ++blocks_;
@@ -305,6 +314,13 @@ class TextReader {
         block_.size() > 1 && columns > 1 &&
         std::all_of(block_.begin(), block_.end(), [&](const auto& row) { return row.size() == columns; });
     Json value = Json::array();
+    const bool areTimed = isTrajectory();
+    for (std::size_t i = 0; i < block_.size() && areTimed; ++i)
+      if (i % 5 == 0)
+        value.push_back(Json::array());
+      else
+        for (const double number : block_[i]) value.back().push_back(number);
+    if (areTimed) block_.clear();
     for (const auto& row : block_) {
       if (isMatrix)
         value.push_back(row);
@@ -423,7 +439,9 @@ Json tableTree(std::string_view text) {
                      const auto number = numberIn(cells[i]);
                      // A name may be 007, or a time in nanoseconds.
                      const bool isExact = number && formatNumber(*number) == cells[i];
-                     if (rows.empty() && !cells[i].empty()) ++(number ? numbers : words);
+                     const std::vector<std::string_view> parts = partsOf(cells[i], " ,;[]");
+                     const bool areNumbers = std::all_of(parts.begin(), parts.end(), numberIn);
+                     if (rows.empty() && !parts.empty()) ++(areNumbers ? numbers : words);
                      row.emplace(names[i], isExact ? Json(*number) : Json(cells[i]));
                    }
                    if (rows.empty() && numbers < words) return isTable = false;

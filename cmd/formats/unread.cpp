@@ -146,7 +146,9 @@ enum class Meaning { nothing, unclear, otherPicture };
 Meaning meaningOf(std::string_view name, const Json& value) {
   if (value.is_boolean()) {
     const bool isOther = hasWord(name, kProjections) || hasWord(name, kFlags);
-    return value == false || isChoice(name, {1}) ? Meaning::nothing : isOther ? Meaning::otherPicture : Meaning::unclear;
+    return value == false || isChoice(name, {1}) ? Meaning::nothing
+           : isOther                             ? Meaning::otherPicture
+                                                 : Meaning::unclear;
   }
   if (!value.is_string()) return Meaning::nothing;
   const std::string& text = value.get_ref<const std::string&>();
@@ -167,8 +169,9 @@ bool areNear(double a, double b, double part, double least) {
 bool isCoefficient(std::string_view name) {
   std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
   if (letters.starts_with("kc")) letters.erase(1, 1);
-  return letters == "k" || (letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
-                            letters[1] >= '1' && letters[1] <= '8');
+  return letters == "k" ||
+         (letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
+          letters[1] >= '1' && letters[1] <= '8');
 }
 
 /// "pitch" of pitch_deg.
@@ -326,8 +329,8 @@ class Unread {
     auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
     if (isNumbers && !numbers && nearness != Nearness::far) numbers = measuresIn(value, name);
     const Meaning meaning = isRead || numbers || nearness == Nearness::far ? Meaning::nothing : meaningOf(name, value);
-    const bool isOfOther = !isRead && value.is_array() && !value.empty() && isAmong(lettersOf(name), kOfOtherPictures) &&
-                           !(numbers && isNothing(*numbers));
+    const bool isOfOther = !isRead && value.is_array() && !value.empty() &&
+                           isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers));
     if (isOfOther || meaning != Meaning::nothing)
       lists.left.push_back({node, {}, std::string(name), nearness, box, isOfOther ? Meaning::otherPicture : meaning});
     if (numbers) {
@@ -343,7 +346,7 @@ class Unread {
       const bool isBeside = isInParts || std::any_of(value.begin(), value.end(), [&](const Json& part) {
                               return part.is_object() && isReadInParts(part);
                             });
-      const Nearness inside = isBeside                       ? Nearness::beside
+      const Nearness inside = isBeside                    ? Nearness::beside
                               : nearness != Nearness::far ? Nearness::inside
                                                           : Nearness::far;
       const std::string boxInside = inside == Nearness::inside ? joinedPath(box, name) : "";
@@ -413,8 +416,8 @@ class Unread {
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
     const bool isOne = areAllOne(m) && hasWord(left.name, kRatios);
-    const bool isLens = count == 0 || hasWord(left.name, kLensWords) || hasWord(left.name, kFlags) || isCoefficient(left.name) ||
-                        (hasWord(left.box, kLensBoxes) && !hasWord(left.name, kOfGlass)) ||
+    const bool isLens = count == 0 || hasWord(left.name, kLensWords) || hasWord(left.name, kFlags) ||
+                        isCoefficient(left.name) || (hasWord(left.box, kLensBoxes) && !hasWord(left.name, kOfGlass)) ||
                         (count == 1 && isAmong(withoutUnits(left.name), kPictureTurns));
     if (isLens && !isOne && count <= 16)
       left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");

@@ -273,14 +273,31 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
        "camera_type"},
   };
   // Whatever depth, form and word says it.
-  const char* const kMovesPixels[] = {
-      R"("lens": {"k": [-0.2, 0.03]})", R"("lens": {"k": -0.2})", R"("optics": {"barrel": -0.2})", R"("kc1": 0.1)",
-      R"("mount": {"pitch_deg": -10})", R"("cal": {"mount": {"roll_deg": 3}})", R"("place": {"east": 5, "north": 2})",
-      R"("place": {"lat": 46.1, "lon": 7.2})", R"("upside_down": true)", R"("mirrored": "yes")", R"("vflip": 1)",
-      R"("origin": "bottom-left")", R"("y_axis": "up")", R"("handedness": "left")", R"("convention": "opengl")",
-      R"("calib_size": [1280, 960])", R"("sensor": [1280, 960])", R"("ref_size": "1280x960")", R"("binning": "2x2")",
-      R"("scale": "1/2")", R"("projection": "stereographic")", R"("lens_type": "equisolid")", R"("model": "rational")",
-      R"("units": "normalized")", R"("rotation_deg": 90)"};
+  const char* const kMovesPixels[] = {R"("lens": {"k": [-0.2, 0.03]})",
+                                      R"("lens": {"k": -0.2})",
+                                      R"("optics": {"barrel": -0.2})",
+                                      R"("kc1": 0.1)",
+                                      R"("mount": {"pitch_deg": -10})",
+                                      R"("cal": {"mount": {"roll_deg": 3}})",
+                                      R"("place": {"east": 5, "north": 2})",
+                                      R"("place": {"lat": 46.1, "lon": 7.2})",
+                                      R"("upside_down": true)",
+                                      R"("mirrored": "yes")",
+                                      R"("vflip": 1)",
+                                      R"("origin": "bottom-left")",
+                                      R"("y_axis": "up")",
+                                      R"("handedness": "left")",
+                                      R"("convention": "opengl")",
+                                      R"("calib_size": [1280, 960])",
+                                      R"("sensor": [1280, 960])",
+                                      R"("ref_size": "1280x960")",
+                                      R"("binning": "2x2")",
+                                      R"("scale": "1/2")",
+                                      R"("projection": "stereographic")",
+                                      R"("lens_type": "equisolid")",
+                                      R"("model": "rational")",
+                                      R"("units": "normalized")",
+                                      R"("rotation_deg": 90)"};
   for (const std::string text : kMovesPixels) {
     INFO(text);
     const std::string name = text.substr(1, text.find('"', 1) - 1);
@@ -585,12 +602,12 @@ TEST_CASE("the finder proposes the line that reads a file") {
   const Proposal starred = proposed(
       R"({"a": {"f": [920, 920], "c": [640, 360], "pan": 1}, "b": {"f": [920, 920], "c": [640, 360], "pan": 2}})");
   CHECK(starred.leftOut == std::vector<std::string>{"*.pan"});
-  CHECK(proposed(R"(<Set><Cam W="2048" H="1536"><Foc X="2311" Y="2310"/><Ctr X="1019" Y="771"/></Cam></Set>)")
-            .lines.at(0)
-            .parts == "K=Set.Cam.Foc+Set.Cam.Ctr, size=Set.Cam.@W+Set.Cam.@H");
+  const File xml("set.xml",
+                 R"(<Set><Cam W="2048" H="1536"><Foc X="2311" Y="2310"/><Ctr X="1019" Y="771"/></Cam></Set>)");
+  CHECK(proposed(xml.name().c_str()).lines.at(0).parts == "K=Set.Cam.Foc+Set.Cam.Ctr, size=Set.Cam.@W+Set.Cam.@H");
   // MATLAB's camera matrix is the transposed one of others.
-  const Proposal turned =
-      proposed(R"({"camMatrix": [[1226.7, -30.5, -0.219], [100.1, 1440, 0.156], [930.2, 133.9, 0.963], [392010, 256050, 872]]})");
+  const Proposal turned = proposed(
+      R"({"camMatrix": [[1226.7, -30.5, -0.219], [100.1, 1440, 0.156], [930.2, 133.9, 0.963], [392010, 256050, 872]]})");
   CHECK(turned.lines.at(0).parts == "P=camMatrix^T");
   CHECK(turned.lines.at(0).decide.at(0).find("pixelCenter=1") != std::string::npos);
   // An orbit's camera that would be upside down and look away with OpenCV's axes.
