@@ -93,9 +93,9 @@ constexpr Refusal kRefusals[] = {
      "OpenCV's "
      "order, and transform, by rows, goes to --world-from-camera with --set cameraAxes=FLU"},
     {"CALIBRATION_LensDistortionModel", false,
-     "is Azure Kinect's own calibration, which is not read: ModelParameters are cx, cy, fx, fy as parts of the "
-     "picture, "
-     "k1 to k6, two of no use, p2, p1; k4a_calibration_get of its SDK gives them in pixels"},
+     "is Azure Kinect's own calibration, which is not read; jq --arg name PV0 -f azure-kinect.jq FILE makes a camera "
+     "of it "
+     "(samples/cameras-from-elsewhere), D0 in place of PV0 that of depth"},
     {"type=\"static_transform_publisher\"", false,
      "is a launch file of ROS, which is not read; args are x y z and yaw pitch roll in radians, or qx qy qz qw: give "
      "--world-from-camera 'X,Y,Z rpy:0.1rad,0.2rad,0.3rad', roll first, or 'X,Y,Z quat:X,Y,Z,W'"},

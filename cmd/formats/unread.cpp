@@ -328,7 +328,10 @@ class Unread {
     const bool isNumbers = depth > 0 && !isInParts && !value.is_null() && !value.is_boolean() && !value.empty();
     auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
     if (isNumbers && !numbers && nearness != Nearness::far) numbers = measuresIn(value, name);
-    const Meaning meaning = isRead || numbers || nearness == Nearness::far ? Meaning::nothing : meaningOf(name, value);
+    Meaning meaning = isRead || numbers ? Meaning::nothing : meaningOf(name, value);
+    // Far from the camera, only what is plain.
+    const bool isPlain = !value.is_string() || isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections);
+    if (nearness == Nearness::far && (meaning == Meaning::unclear || !isPlain)) meaning = Meaning::nothing;
     const bool isOfOther = !isRead && value.is_array() && !value.empty() &&
                            isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers));
     if (isOfOther || meaning != Meaning::nothing)
