@@ -195,7 +195,9 @@ Node FieldValues::nodeAt(std::string_view path) const {
 
 void FieldValues::failMissing(FieldId id) const {
   const Node object = node(id);
-  object.fail("needs " + std::string(id->path.substr(object.path().empty() ? 0 : object.path().size() + 1)));
+  const bool isOfPicture = id->path == "viewport.width" || id->path == "viewport.height";
+  object.fail("needs " + std::string(id->path.substr(object.path().empty() ? 0 : object.path().size() + 1)) +
+              (isOfPicture ? "; --viewport WIDTHxHEIGHT gives it" : ""));
 }
 
 FieldValues readValues(const Document& document, std::string_view under) {

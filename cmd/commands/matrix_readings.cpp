@@ -385,6 +385,22 @@ std::string typedWrong(const Laid& laid) {
   return "";
 }
 
+/// Of the Q of OpenCV's stereoRectify, in either layout, what it is; else empty.
+std::string disparityOf(const Mat4& m) {
+  //     | 1 0  0   -cx |
+  // Q = | 0 1  0   -cy |
+  //     | 0 0  0    f  |
+  //     | 0 0 1/b   c  |
+  const bool isQ = m[0][0] == 1 && m[1][1] == 1 && isDiagonal(m) && m[2][2] == 0 && m[3][0] == 0 && m[3][1] == 0 &&
+                   m[3][2] != 0 && -m[0][3] > kFewestPixels && -m[1][3] > kFewestPixels && m[2][3] > kFewestPixels;
+  const auto shown = [](double value) { return formatDigits(value, 6); };
+  return isQ ? "it is Q of OpenCV's stereoRectify, which makes depths of disparities, and no camera's matrix: f " +
+                   shown(m[2][3]) + ", cx " + shown(-m[0][3]) + ", cy " + shown(-m[1][3]) +
+                   " of its rectified cameras, " + "baseline " + shown(std::fabs(1 / m[3][2])) +
+                   "; P1 and P2 are their matrices"
+             : "";
+}
+
 // ---- Order
 
 /// Significant digits of the roundest number in the interval.
@@ -426,6 +442,11 @@ bool isInverse(const Reading& r) {
   return r.kind == ReadingKind::projectionInverse || r.kind == ReadingKind::viewProjectionInverse;
 }
 
+/// Whether the world's origin lies behind the camera, which is upside down where z is up. Where y is down, up is -y.
+bool isUpsideDown(const Pose& pose) {
+  return dot(pose.forward(), pose.eye()) > 0 && -pose.up().z > std::fabs(pose.up().y);
+}
+
 /// Whether it is the lens of no usual camera: without depth, of other size, very wide or narrow.
 bool isStrange(const Reading& r) {
   if (!r.camera || !r.camera->lens || r.camera->lens->orthographic) return false;
@@ -452,6 +473,7 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
     cost += 0.2;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
+  if (hint.areAxesOfK && r.camera->convention.view == hint.axes && isUpsideDown(*r.camera->pose)) cost += 0.3;
   if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
   double error = 1e-300;
   for (const Reading& other : all)
@@ -527,7 +549,8 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
   if (!std::all_of(readings.begin(), readings.end(), hasNoDepth)) std::erase_if(readings, hasNoDepth);
   if (!std::all_of(readings.begin(), readings.end(), isMultiple)) std::erase_if(readings, isMultiple);
   KindHint hint = hintOf(pasted);
-  if (!hint.axes && isBesideK) hint.axes = ViewAxes::RDF;
+  hint.areAxesOfK = !hint.axes && isBesideK;
+  if (hint.areAxesOfK) hint.axes = ViewAxes::RDF;
   // An inverse where a name says so, or where nothing usual fits and the inverse is usual.
   const bool isNamed = hint.kind == ReadingKind::projectionInverse || hint.kind == ReadingKind::viewProjectionInverse;
   if (pasted.rows == 4 && pasted.columns == 4 &&
@@ -536,6 +559,12 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
       LayoutReader(pasted, laidOut(pasted, printed, layout), result.isFloat, readings).readInverse();
     if (!isNamed) std::erase_if(readings, [](const Reading& r) { return isInverse(r) && isStrange(r); });
   }
+  if (pasted.rows == 4 && pasted.columns == 4)
+    for (const Mat4& m : {written, viewproj::transposed(written)})
+      if (const std::string disparity = disparityOf(m); !disparity.empty()) {
+        readings.clear();
+        result.fault = disparity;
+      }
   if (!readings.empty()) result.fault.clear();
   constexpr double kTie = 0.2;
   for (Reading& r : readings)

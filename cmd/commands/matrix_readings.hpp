@@ -62,6 +62,7 @@ struct KindHint {
   std::optional<ReadingKind> kind;
   double weight = 0;  ///< what a reading of another kind costs
   std::optional<ViewAxes> axes;
+  bool areAxesOfK = false;    ///< no name says the axes, but a K in pixels is in the same text
   bool isTransposed = false;  ///< programs with such names have it transposed
 };
 inline constexpr double kSpoken = 20;

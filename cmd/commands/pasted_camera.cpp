@@ -22,7 +22,7 @@ bool canBe(const ReadMatrix& matrix, ReadingKind kind) {
 }
 
 /// The kind that its name or the words before it tell, where P is called a projection too; of a matrix without a name,
-/// that of all its readings.
+/// and of a view-projection, that of all its readings.
 std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   const std::vector<Reading>& readings = matrix.found.readings;
   if (readings.empty()) return std::nullopt;
@@ -33,7 +33,8 @@ std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   };
   if (told && canBe(matrix, *told)) return told;
   const bool isP = told == ReadingKind::projection && first == ReadingKind::p;
-  return (isP || matrix.pasted.name.empty()) && !(told && !isP) && isOne() ? std::optional(first) : std::nullopt;
+  const bool needsNoName = isP || matrix.pasted.name.empty() || first == ReadingKind::viewProjection;
+  return needsNoName && !(told && !isP) && isOne() ? std::optional(first) : std::nullopt;
 }
 
 std::string shownNameOf(const ReadMatrix& matrix) {

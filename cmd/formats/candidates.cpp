@@ -24,7 +24,7 @@ constexpr std::string_view
         "coeffs lens kappa radial dc coef coefs coefficients kc",
     kLensModels = "brown conrady brownconrady radtan plumb plumbbob kannala brandt kannalabrandt kb4 equidistant",
     kOfOtherLens = "inverse modified d dist distortion distortions coeff coeffs coef coefs coefficients lens kc",
-    kOfS = "size sz resolution res dimension dimensions shape wh hw image",
+    kOfS = "size sz pixels resolution res dimension dimensions shape wh hw image",
     kOfR = "r rot rotation rotate rmat rotmat camrot",
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
     kOfQ = "q quat quaternion quaternions orientation rotation qvec rot wxyz xyzw qwxyz qxyzw",
@@ -111,6 +111,7 @@ bool isK(const std::vector<double>& m) { return isIntrinsic(m) && m[2] > 0 && st
 bool isKByColumns(const std::vector<double>& m) { return m.size() == 9 && isK(transposed(m, 3)); }
 bool isRigidByColumns(const std::vector<double>& m) { return m.size() == 16 && isRigid(transposed(m, 4)); }
 bool isTaken(const std::vector<double>& m) { return isProjection(m, 10); }
+bool isTakenByColumns(const std::vector<double>& m) { return isTaken(transposed(m, 3)); }
 bool isTurn(const std::vector<double>& v) {
   return areAll(v, [](double x) { return std::fabs(x) < 7; });
 }
@@ -124,6 +125,9 @@ bool isFourOfK(const std::vector<double>& k) {
 bool isLens(const std::vector<double>& d) {
   const double most = d.size() == 2 ? 1e2 : 1e5;  // two larger ones are a place or a size
   return std::all_of(d.begin(), d.end(), [most](double x) { return std::fabs(x) < most; });
+}
+bool isSmall(const std::vector<double>& d) {
+  return areAll(d, [](double x) { return std::fabs(x) < 20; });
 }
 bool isSize(const std::vector<double>& s) {
   return areAll(s, [](double x) { return x == std::floor(x) && x >= 16 && x <= 65535; });
@@ -149,6 +153,7 @@ constexpr Look kLooks[] = {
     {"K", "12 16", isK, kOfK, 0, Look::numbers, "p projection"},
     {"X", "12 16", isRigid, kOfX, 1, Look::numbers},
     {"P", "12 16", isTaken, kOfP, 1, Look::numbers},
+    {"P", "12", isTakenByColumns, kOfP, 1, Look::numbers, "", "", false, "^T"},
     {"X", "16", isRigidByColumns, kOfX, 1, Look::numbers, "", "", true, "^T"},
     {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix translation trans position"},
     {"T", "3", isAny, kOfT},
@@ -161,9 +166,12 @@ constexpr Look kLooks[] = {
     {"K", "4", isFourOfK, kOfK, -1, Look::name, "projection parameters proj", "", false},
     {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "c center centre pp principal", false},
     {"D", "4 5 8", isLens, kLensModels, 0, Look::name, "", kOfOtherLens, false},
+    {"D", "4 5 8", isSmall, "k", 0, Look::letters, "", "", false},
     {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
-    {"F", "2", isFocalPair, "fc focal focallength f", 0, Look::letters},
-    {"C", "2", isCentre, "cc principalpoint princpt pp center c p", 0, Look::letters}};
+    {"F", "2", isFocalPair, "fc focal focallength foc f", 0, Look::letters},
+    {"C", "2", isCentre, "cc principalpoint princpt pp center ctr c p", 0, Look::letters},
+    {"k", "2 3", isLens, "k radial", 0, Look::letters, "", "", false},
+    {"p", "2", isLens, "p tangential", 0, Look::letters, "", "", false}};
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 

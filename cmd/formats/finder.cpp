@@ -148,6 +148,36 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
   }
 }
 
+/// Radial coefficients k of an object that is a lens, with the tangential p beside them.
+void addCoefficients(Candidates& all) {
+  const Candidates found = all;
+  for (const Chosen& k : found) {
+    if (k->kind != "k" || k->steps.size() < 2 || !hasWord(k->steps[k->steps.size() - 2], "lens dist distortion"))
+      continue;
+    const auto beside = std::find_if(found.begin(), found.end(), [&](const Chosen& p) {
+      return p->kind == "p" && p->star.size() == k->star.size() && p->at == k->at &&
+             std::equal(p->steps.begin(), p->steps.end() - 1, k->steps.begin(), k->steps.end() - 1);
+    });
+    const auto partOf = [&](const char* suffix) {
+      Candidate part = *k;
+      part.suffix = suffix;
+      return std::make_shared<Candidate>(std::move(part));
+    };
+    const Chosen none = std::make_shared<Candidate>(Candidate{"?", {"0+0"}, {0, 0}, 0, ""});
+    Candidate lens{"D", k->steps, k->numbers, 2, "", k->star, k->at};
+    lens.steps.back() = "";
+    const Chosen p = beside == found.end() ? none : *beside;
+    if (k->numbers.size() == 3)
+      lens.terms = {partOf("[0,1]"), p, partOf("[2]")};
+    else if (p != none && k->numbers.size() == 2)
+      lens.terms = {k, p};
+    else
+      lens.terms = {k};
+    lens.tag = findTag(lens);
+    all.push_back(std::make_shared<Candidate>(std::move(lens)));
+  }
+}
+
 constexpr std::string_view
     kToWorld =
         "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
@@ -159,7 +189,7 @@ constexpr std::string_view
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
         "velo_to_cam velo2cam _to_cam cam_from_rig",
     kOfNerf = "transform_matrix matrix_world camera_to_world", kFisheye = "fisheye equidistant kannala \"kb4\"",
-    kOfUnreal = "unreal carla sensor.camera image_size_x";
+    kOfUnreal = "unreal carla sensor.camera image_size_x relativerotation";
 
 /// Whether a text has one of these in it.
 bool hasPart(std::string_view text, std::string_view parts) {
@@ -236,6 +266,14 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
   return found;
 }
 
+/// Of a matrix that takes the camera to the world: whether with OpenCV's axes the camera is upside down where z is up,
+/// and has the world's origin behind it. Where y is down, up is -y.
+bool isUpsideDown(const Candidate& pose) {
+  if (pose.kind != "X" || !pose.suffix.empty()) return false;
+  const std::vector<double>& m = pose.numbers;
+  return m[9] > std::fabs(m[5]) && m[2] * m[3] + m[6] * m[7] + m[10] * m[11] > 0;
+}
+
 void putPose(Line& line, const Match& match, const Candidate* lens) {
   const Chosen& turn = match.parts.front();
   const Chosen& place = match.parts.back();
@@ -275,7 +313,12 @@ void putPose(Line& line, const Match& match, const Candidate* lens) {
         turn->path() +
         ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
   const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
-  if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
+  if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
+    line.ask.push_back(
+        turn->path() +
+        ": if world from camera, likely right, up, back: --set cameraAxes=RUB; with right, down, forward it "
+        "is upside down where z is up, and looks away from the origin");
+  else if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
     line.ask.push_back(turn->path() + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
 }
 
@@ -422,10 +465,9 @@ void askAboutOthers(Line& line, const Document& file) {
   const std::string path = line.first->path();
   const auto others = file.isPlainText ? valueAt(Node(file), path + "#") : std::nullopt;
   if (others && others->json().is_array())
-    line.ask.push_back(path + ": the text has " + std::to_string(others->size() + 1) +
-                       " of them, for as many lenses; this is the first. " + path +
-                       "#.0 is the second, and so on, of "
-                       "each name; or keep one lens of the text");
+    line.ask.push_back(path + ": comes " + std::to_string(others->size() + 1) +
+                       " times, and this line reads the first; for the second write " + path +
+                       "#.0, and #.0 behind the other names too");
 }
 
 /// The place and the turns of a camera in Unreal or CARLA, whose angle of view is that across.
@@ -551,6 +593,10 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
     askAboutOthers(line, file);
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
+    if (name == "P" && line.first->path().ends_with("^T"))
+      line.ask.push_back(
+          line.first->path() +
+          ": by columns, as MATLAB's cameraMatrix; its pixels count from 1: --set viewport.pixelCenter=1");
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
                                         hasWord(line.first->steps.back(), "p projection rect rectified"));
     if (!isFlat) {
@@ -581,7 +627,7 @@ std::vector<Line> linesOf(const Document& file, const Candidates& all, const std
         }
       if (each->kind == "E" && hasTarget) putAim(line, *each, all);
       if (line.parts.empty()) continue;
-      line.ask.push_back("no lens in this file: give it by --fx … or --fov-y, or take it from another file");
+      line.ask.push_back("no lens found: add K=… if it is among what is left out, or give it by --fx … or --fov-y");
       lines.push_back(std::move(line));
     }
   }
@@ -625,6 +671,55 @@ std::string bareOf(const Candidate& candidate) {
   return path.substr(0, path.size() - (candidate.terms.empty() ? candidate.suffix.size() : 0));
 }
 
+/// The containers that a line's star stands for, and their path with the star.
+std::map<std::string, std::string> starsOf(const std::vector<Line>& lines) {
+  std::map<std::string, std::string> stars;
+  for (const Line& line : lines) {
+    const Candidate& first = *line.first;
+    const std::string box =
+        joined({first.steps.begin(), first.steps.begin() + static_cast<std::ptrdiff_t>(first.at)}, ".");
+    for (const auto& [star, each] : first.star)
+      stars.emplace(joinedPath(box, withStar(first.steps[first.at], star)), joinedPath(box, first.steps[first.at]));
+  }
+  return stars;
+}
+
+/// The ends of a path's containers, the outermost first.
+std::vector<std::size_t> endsOf(const std::string& path) {
+  std::vector<std::size_t> ends;
+  for (std::size_t at = path.find('.'); at != path.npos; at = path.find('.', at + 1)) ends.push_back(at);
+  return ends;
+}
+
+/// A path beside a starred one has its star.
+std::string shownPath(const std::string& path, const std::map<std::string, std::string>& stars) {
+  for (const std::size_t end : endsOf(path))
+    if (const auto box = stars.find(path.substr(0, end)); box != stars.end()) return box->second + path.substr(end);
+  return path;
+}
+
+bool isUsedAbove(const std::string& path, const std::set<std::string>& used) {
+  const std::vector<std::size_t> ends = endsOf(path);
+  return std::any_of(ends.begin(), ends.end(), [&](std::size_t end) { return used.contains(path.substr(0, end)); });
+}
+
+bool saysNothing(const std::string& path) {
+  const std::vector<std::size_t> ends = endsOf(path);
+  const auto isOf = [&](std::size_t from, std::size_t end) {
+    return fitsAny(path.substr(from, end - from), kSaysNothing);
+  };
+  std::size_t from = 0;
+  for (const std::size_t end : ends) {
+    if (isOf(from, end)) return true;
+    from = end + 1;
+  }
+  return isOf(from, path.size());
+}
+
+void addOnce(std::vector<std::string>& paths, const std::string& path) {
+  if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+}
+
 std::string shownLine(const ProposedLine& line) {
   std::string text = "--parts '" + line.parts + "'";
   for (const std::string& set : line.set) text += " --set " + set;
@@ -637,7 +732,9 @@ Proposal proposeParts(const Document& file) {
   Candidates all = candidatesIn(file);
   const std::vector<Scalars> boxes = scalarsOf(all);
   addFamilies(boxes, all);
+  addCoefficients(all);
   const std::vector<Line> lines = linesOf(file, all, boxes);
+  const std::map<std::string, std::string> stars = starsOf(lines);
   Proposal proposal;
   std::set<std::string> used;
   for (const Line& line : lines) {
@@ -673,10 +770,21 @@ Proposal proposeParts(const Document& file) {
                         (isKind || (isBeside && (isUsedBelow(box) || hasWord(path, "dist distortion")))) &&
                         !used.contains(bareOf(*each)) && !isUsedBelow(path + ".") &&
                         std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
-    if (isLeft && std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
-      proposal.leftOut.push_back(path);
+    if (isLeft) addOnce(proposal.leftOut, shownPath(path, stars));
   }
-  if (lines.empty()) proposal.numbers = shownNumbers(file);
+  if (lines.empty()) return proposal.numbers = shownNumbers(file), proposal;
+  // What has no kind may be a part all the same, under a name that is not known.
+  for (const std::string& path : pathsOfNumbers(*file.root)) {
+    const bool isFurther = file.isPlainText && path.find('#') != path.npos;  // one that comes again
+    const bool isIn = isFurther || used.contains(path) || isUsedBelow(path + ".") || isUsedAbove(path, used);
+    const auto node = valueAt(Node(file), withStar(path, "0"));
+    const auto numbers = node ? numbersIn(node->json()) : std::nullopt;
+    constexpr std::size_t kMost = 17;
+    if (isIn || !numbers || numbers->size() > kMost || saysNothing(path) ||
+        std::all_of(numbers->begin(), numbers->end(), [](double n) { return n == 0; }))
+      continue;
+    addOnce(proposal.leftOut, shownPath(path, stars));
+  }
   return proposal;
 }
 

@@ -9,12 +9,14 @@
 #include "camera/read_pose.hpp"
 #include "formats/claims.hpp"
 #include "formats/colmap.hpp"
+#include "formats/finder.hpp"
 #include "formats/parts.hpp"
 #include "formats/poses.hpp"
 #include "formats/rows.hpp"
 #include "formats/tree.hpp"
 #include "formats/unread.hpp"
 #include "text/file.hpp"
+#include "text/pasted_matrices.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -116,6 +118,11 @@ Import importParts(const Node& root, const std::string& line) {
                     file);
 }
 
+/// Whether info has more to say of a text than what is wrong with it.
+bool holdsParts(const Document& file) {
+  return !proposeParts(file).lines.empty() || (file.text && !findMatrices(*file.text).matrices.empty());
+}
+
 /// A pose of ours beside members that are not may be another program's. Where most are not, it is; else the reader's
 /// message tells, and info proposes too.
 void requireOwnMembers(const Document& file) {
@@ -169,8 +176,7 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     return openCameraDocument(*file);
   }
   if (!file->fault.empty())
-    throw UnknownFile(file->fault + (file->root->size() > 1 ? "; viewproj info FILE tells what it has as text" : ""),
-                      *file);
+    throw UnknownFile(file->fault + (holdsParts(*file) ? "; viewproj info FILE tells what it has as text" : ""), *file);
   failUnknown(*file);
 }
 

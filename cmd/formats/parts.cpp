@@ -123,7 +123,8 @@ void readNamedLens(const Parts& parts, Json& camera) {
   std::string model = parts.text(stated);
   if (stated == "isFisheye" && parts.has(stated)) model = model == "true" || model == "1" ? "fisheye" : "plumb_bob";
   if (!parts.has("lens")) {
-    if (parts.has(stated) && !mayBePinhole(model)) parts.fail(stated, "needs the coefficients of this lens");
+    const bool isBent = !mayBePinhole(model) || isAmong(lowered(model), "rational thin_prism tilted");
+    if (parts.has(stated) && isBent) parts.fail(stated, "needs the coefficients of this lens");
     return;
   }
   const Node& node = parts.node("lens");

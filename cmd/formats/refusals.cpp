@@ -27,8 +27,11 @@ constexpr Refusal kRefusals[] = {
     {"PXR-USDC", true,
      "is USD in binary form; usdcat makes text of it, and --focal-length, --sensor-width, --position say its camera"},
     {"#usda|def Camera \"", true,
-     "is USD, which is not read; give focalLength and horizontalAperture to --focal-length and --sensor-width, and the "
-     "prim's place and turn to --position and --euler"},
+     "is USD, which is not read; give --read-as opengl, focalLength and horizontalAperture to --focal-length and "
+     "--sensor-width, and translate and rotateXYZ of each prim around it and of the camera, the outermost first, as "
+     "--world-from-camera 'X,Y,Z rpy:RX,RY,RZ'; where there is a horizontalApertureOffset, give --fx, --fy, --cx and "
+     "--cy: "
+     "cx is (0.5 - horizontalApertureOffset / horizontalAperture) of the width"},
     {"%YAML 1.1\n%TAG !u!", true,
      "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
      "--position and m_LocalRotation to --rotation, with --convention unity"},
@@ -62,14 +65,40 @@ constexpr Refusal kRefusals[] = {
     {"fisheyeIntrinsics with properties:", false,
      "is a fisheye of MATLAB, a lens that is not supported; undistort the pictures first"},
     {"heading,pitch,roll,f,px,py", false,
-     "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side"},
+     "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side; give --set "
+     "world=enu, x, y and alt to --position, heading and roll to --heading and --roll, and pitch - 90 to --pitch, for "
+     "its 0 is straight down"},
     {"X/Longitude,Y/Latitude", false,
      "is a reference of Metashape, which is not read: its pitch is 0 straight down; export the cameras as XML, or as "
      "omega, phi, kappa"},
     {"<sdf ", false,
-     "is SDF, which is not read; give horizontal_fov to --fov-x and the pose to --position and --euler"},
+     "is SDF, which is not read; give --read-as opengl --set cameraAxes=FLU, for its cameras look along x, "
+     "horizontal_fov as --fov-x 1.2rad, and the poses of model, link and sensor, in this order, each as "
+     "--world-from-camera 'X,Y,Z rpy:0.1rad,0.2rad,0.3rad'"},
     {"<mujoco", false,
-     "is of MuJoCo, which is not read; give fovy to --fov-y, and pos and quat to --position and --rotation"},
+     "is of MuJoCo, which is not read; give --read-as opengl, fovy to --fov-y, and pos and quat of each body around it "
+     "and of the camera, the outermost first, as --world-from-camera 'X,Y,Z quat:X,Y,Z,W', where MuJoCo has w x y z; "
+     "xyaxes are the first two columns of a turn, right and up"},
+    {"NVM_V3", true,
+     "is of VisualSFM, which is not read; give --convention opencv, the focal length to --fx and --fy, the middle of "
+     "the "
+     "picture to --cx and --cy, of the quaternion w x y z its inverse, -x,-y,-z,w, to --rotation, and the three "
+     "numbers "
+     "after it to --position; the radial number is no lens of OpenCV's"},
+    {"collada.org/2005/11/COLLADASchema", false,
+     "is Collada, which is not read; export the scene as glTF, or give --read-as opengl, xfov or yfov to --fov-x or "
+     "--fov-y, and the matrix of each node around it and of the camera, the outermost first, to --world-from-camera"},
+    {"camera_calibrations {", false,
+     "is a calibration of Waymo as text, which is not read; intrinsic is fx, fy, cx, cy, k1, k2, p1, p2, k3 in "
+     "OpenCV's "
+     "order, and transform, by rows, goes to --world-from-camera with --set cameraAxes=FLU"},
+    {"CALIBRATION_LensDistortionModel", false,
+     "is Azure Kinect's own calibration, which is not read; jq --arg name PV0 -f azure-kinect.jq FILE makes a camera "
+     "of it "
+     "(samples/cameras-from-elsewhere), D0 in place of PV0 that of depth"},
+    {"type=\"static_transform_publisher\"", false,
+     "is a launch file of ROS, which is not read; args are x y z and yaw pitch roll in radians, or qx qy qz qw: give "
+     "--world-from-camera 'X,Y,Z rpy:0.1rad,0.2rad,0.3rad', roll first, or 'X,Y,Z quat:X,Y,Z,W'"},
     {"<scene version=", false,
      "is of Mitsuba, which is not read; give origin, target and up of lookat to --position, --target and --up, and fov "
      "to --fov-x, or to --fov-y where fov_axis is y, or smaller or larger and that is the height; "

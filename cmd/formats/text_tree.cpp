@@ -77,7 +77,8 @@ class TextReader {
     else
       openSection(bare);
     if (!isHeading && readSeveral(text)) return;
-    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>");
+    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<>|");
+    while (words.size() > 1 && isCallee(text, words.front())) words.erase(words.begin());
     std::size_t lead = 0;
     while (lead < words.size() && !numberIn(words[lead])) ++lead;
     if (lead > 0) {
@@ -113,6 +114,13 @@ class TextReader {
     const std::size_t first = text.find_first_not_of(characters);
     if (first == std::string_view::npos) return "";
     return text.substr(first, text.find_last_not_of(characters) + 1 - first);
+  }
+
+  /// Whether a word makes the list or matrix in the bracket behind it: array([[1, 2]]).
+  static bool isCallee(std::string_view text, std::string_view word) {
+    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    return (word.ends_with("array") || word.ends_with("tensor") || word.ends_with("Matrix")) && end < text.size() &&
+           text[end] == '(';
   }
 
   /// Whether a line has no value behind a mark, as 'Intrinsic of "Depth" / 640x480' and "Color camera:".
@@ -185,7 +193,7 @@ class TextReader {
       if (!heading.empty() && !name.empty()) texts.emplace_back(std::exchange(heading, ""), name);
       name.clear();
     };
-    constexpr std::string_view kMarks = " \t=:,;[{(<>)}]";
+    constexpr std::string_view kMarks = " \t=:,;[{(<>)}]|";
     const bool hasAngles = text.find('>') != std::string_view::npos;  // << alone is no bracket
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];
@@ -286,6 +294,15 @@ class TextReader {
     if (box().contains(key_)) key_.clear();
   }
 
+  /// Three whole numbers and a matrix of 4 rows, in turn: a trajectory of Open3D.
+  bool isTrajectory() const {
+    if (block_.empty() || block_.size() % 5 != 0) return false;
+    for (std::size_t i = 0; i < block_.size(); ++i)
+      if (block_[i].size() != (i % 5 == 0 ? 3 : 4) || (i % 5 == 4 && block_[i] != std::vector<double>{0, 0, 0, 1}))
+        return false;
+    return true;
+  }
+
   void close() {
     if (block_.empty()) return;
     ++blocks_;
@@ -297,6 +314,13 @@ class TextReader {
         block_.size() > 1 && columns > 1 &&
         std::all_of(block_.begin(), block_.end(), [&](const auto& row) { return row.size() == columns; });
     Json value = Json::array();
+    const bool areTimed = isTrajectory();
+    for (std::size_t i = 0; i < block_.size() && areTimed; ++i)
+      if (i % 5 == 0)
+        value.push_back(Json::array());
+      else
+        for (const double number : block_[i]) value.back().push_back(number);
+    if (areTimed) block_.clear();
     for (const auto& row : block_) {
       if (isMatrix)
         value.push_back(row);
@@ -415,7 +439,9 @@ Json tableTree(std::string_view text) {
                      const auto number = numberIn(cells[i]);
                      // A name may be 007, or a time in nanoseconds.
                      const bool isExact = number && formatNumber(*number) == cells[i];
-                     if (rows.empty() && !cells[i].empty()) ++(number ? numbers : words);
+                     const std::vector<std::string_view> parts = partsOf(cells[i], " ,;[]");
+                     const bool areNumbers = std::all_of(parts.begin(), parts.end(), numberIn);
+                     if (rows.empty() && !parts.empty()) ++(areNumbers ? numbers : words);
                      row.emplace(names[i], isExact ? Json(*number) : Json(cells[i]));
                    }
                    if (rows.empty() && numbers < words) return isTable = false;

@@ -35,6 +35,15 @@ bool beginsWithHeading(std::string_view text) {
   return false;
 }
 
+/// "[OpenXR] eye 0" of a log: a bracket and a word that is none of JSON's.
+bool beginsWithWord(std::string_view text) {
+  std::size_t end = 1;
+  while (end < text.size() && isLetter(text[end])) ++end;
+  const std::string_view word = text.substr(1, end - 1);
+  return text[0] == '[' && !word.empty() && word != "true" && word != "false" && word != "null" && word != "NaN" &&
+         word != "Infinity" && word != "nan" && word != "inf";
+}
+
 /// A matrix {"rows", "cols", "data"} becomes its rows, or the list of its numbers if it has one row or column.
 void unfoldMatrices(Json& value) {
   const auto sideOf = [&](const char* key) {
@@ -101,7 +110,7 @@ void readText(Document& document, std::string text, bool isInline) {
     if (const auto fault = parseXml(text, kDeepestJson, root)) fail(*fault);
     return;
   }
-  if (opensJson(first) && !beginsWithHeading(text)) {
+  if (opensJson(first) && !beginsWithWord(std::string_view(text).substr(start)) && !beginsWithHeading(text)) {
     blankComments(text);
     if (const auto fault = parseJson(text, root)) fail(*fault);
     return;

@@ -27,25 +27,45 @@ constexpr std::string_view kPoseWords =
     "eye matrix";
 /// One number of a pose, beside the numbers of a camera.
 constexpr std::string_view kPoseNumbers =
-    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa pan tilt";
+    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa pan tilt east north "
+    "easting northing lat lon lng latitude longitude alt altitude";
+/// Words of names beside those of what is measured.
+constexpr std::string_view kUnits = "deg degs degree degrees rad rads radian radians m mm cm meter meters metre metres";
 constexpr std::string_view kLensWords =
     "dist disto distortion distortions xi alpha skew crop binning offset shift rectif zoom rolling mirror poly "
     "polynomial tangential radial ftheta fisheye kappa gamma s prism rotate rotated flip flipped aspect scale resize "
-    "downsample";
+    "downsample barrel pincushion";
+/// Objects whose numbers are a lens's, but for those of the glass itself.
+constexpr std::string_view kLensBoxes = "lens lenses optics dist disto distortion distortions undistort undistortion",
+                           kOfGlass = "focal focus aperture stop number sensor width height diameter weight min max";
 /// Ratios, of which 1 says nothing.
-constexpr std::string_view kRatios = "binning zoom ratio aspect scale downsample gamma resize";
+constexpr std::string_view kRatios = "binning zoom ratio aspect scale downsample gamma resize orientation";
+/// Objects of what a calibration was tried with, and how well it went.
+constexpr std::string_view kOfTrials = "error errors std cov covariance board corners points noise bias search range";
+/// Turns of the picture, as one number.
+constexpr std::string_view kPictureTurns = "rotation rot orientation turn";
 /// What belongs to pictures that were undistorted or cropped.
 constexpr std::string_view kOfOtherPictures =
     "newcameramtx newcameramatrix newmtx newk optimalcameramatrix map1 map2 mapx mapy roi";
-/// Pictures that are no pinhole's, as a text or a flag names them.
+/// Pictures that are no pinhole's with numbers in pixels from the top left, as a text or a flag names them.
 constexpr std::string_view kProjections =
-    "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic";
+    "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic stereographic "
+    "equisolid orthogonal ftheta omnidirectional catadioptric rational normalized normalised bottom upside mirrored "
+    "flipped";
 constexpr std::string_view kChoices = "estimate estimated has use";  // first words of what was chosen, yes or no
-constexpr std::string_view kFlags = "flip flipped mirror mirrored";
-/// Members that no format reads and that say nothing about the picture.
-constexpr std::string_view kKnown =
-    "T_imu_body timestamp* time date *_time version* units unit description name id index serial* frame_id seq stamp "
-    "sec nsec class_name comment* license $schema depth* *_id *_index *fps exposure* gain iso* *count num_* n_*";
+constexpr std::string_view kFlags =
+    "flip flipped vflip hflip flipx flipy flipud fliplr mirror mirrored invert inverted upside rotated";
+/// Names of texts that say how the picture lies or is made; values that mean another picture than OpenCV's, and those
+/// that mean its own.
+constexpr std::string_view kOfAxes = "axis axes origin handedness handed chirality convention coordinate coordinates",
+                           kOfLens = "projection lens distortion",
+                           kOtherAxes = "up left lefthanded back backward backwards opengl directx d3d vulkan metal",
+                           kOwnPicture =
+                               "topleft upperleft lefttop down downward right righthanded opencv none pinhole "
+                               "perspective rectilinear plumbbob brown brownconrady radtan forward false no off";
+/// Sizes that are not the picture's.
+constexpr std::string_view kSizeWords = "size sz resolution res dim dims dimension dimensions shape sensor",
+                           kOtherSizes = "tile patch window kernel block cell grid pixel";
 
 bool areZero(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
@@ -98,14 +118,68 @@ bool isChoice(std::string_view name, const std::vector<double>& numbers) {
          isAmong(words.front(), kChoices);
 }
 
+bool areAllOne(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 1; });
+}
+
+/// Whether they are whole numbers from this one on.
+bool areWhole(const std::vector<double>& numbers, double least) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [&](double number) { return number == std::floor(number) && number >= least; });
+}
+
+/// The numbers of a text such as 1280x960; a ratio such as 1/2 or 16:9.
+std::optional<std::vector<double>> measuresIn(const Json& value, std::string_view name) {
+  if (!value.is_string()) return std::nullopt;
+  const std::string& text = value.get_ref<const std::string&>();
+  const bool isRatio = hasWord(name, kRatios);
+  const std::size_t at = text.find_first_of(isRatio ? "xX*/:" : "xX*");
+  if (at == text.npos) return std::nullopt;
+  const double a = parseNumber(text.substr(0, at)).value_or(0), b = parseNumber(text.substr(at + 1)).value_or(0);
+  if (a == 0 || b == 0) return std::nullopt;
+  return isRatio && text.find_first_of("/:") == at ? std::vector{a / b} : std::vector{a, b};
+}
+
+enum class Meaning { nothing, unclear, otherPicture };
+
+/// What a flag or a text that is not read says of the picture.
+Meaning meaningOf(std::string_view name, const Json& value) {
+  if (value.is_boolean()) {
+    const bool isOther = hasWord(name, kProjections) || hasWord(name, kFlags);
+    return value == false || isChoice(name, {1}) ? Meaning::nothing
+           : isOther                             ? Meaning::otherPicture
+                                                 : Meaning::unclear;
+  }
+  if (!value.is_string()) return Meaning::nothing;
+  const std::string& text = value.get_ref<const std::string&>();
+  const std::vector<std::string> words = wordsOf(text);
+  constexpr std::size_t kMost = 3;  // more are a sentence
+  if (words.empty() || words.size() > kMost || text.find_first_of("/.\\@") != text.npos) return Meaning::nothing;
+  const std::string letters = lettersOf(text);
+  if (hasWord(name, kFlags) && isAmong(letters, "yes true on y")) return Meaning::otherPicture;
+  const bool isOfAxes = hasWord(name, kOfAxes);
+  if (hasWord(text, kProjections) || (isOfAxes && isAmong(letters, kOtherAxes))) return Meaning::otherPicture;
+  return (isOfAxes || hasWord(name, kOfLens)) && !isAmong(letters, kOwnPicture) ? Meaning::unclear : Meaning::nothing;
+}
+
 bool areNear(double a, double b, double part, double least) {
   return std::fabs(a - b) <= std::max(part * std::fabs(b), least);
 }
 
 bool isCoefficient(std::string_view name) {
-  const std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
-  return letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
-         letters[1] >= '1' && letters[1] <= '8';
+  std::string letters = lettersOf(name.substr(name.rfind('.') + 1));
+  if (letters.starts_with("kc")) letters.erase(1, 1);
+  return letters == "k" ||
+         (letters.size() == 2 && std::string_view("kpst").find(letters[0]) != std::string_view::npos &&
+          letters[1] >= '1' && letters[1] <= '8');
+}
+
+/// "pitch" of pitch_deg.
+std::string withoutUnits(std::string_view name) {
+  std::string letters;
+  for (const std::string& word : wordsOf(name))
+    if (!isAmong(word, kUnits)) letters += word;
+  return letters;
 }
 
 /// The numbers of a value, or of the first item of a list of them.
@@ -125,7 +199,9 @@ struct Left {
   std::vector<double> numbers;
   std::string name;
   Nearness nearness;
-  bool areMembers = false;  ///< the numbers stand in members of their own, which are in the list too
+  std::string box = {};                     ///< the names of the objects that it stands in, below what was read
+  Meaning meaning = Meaning::otherPicture;  ///< of what has no numbers
+  bool areMembers = false;                  ///< the numbers stand in members of their own, which are in the list too
 };
 struct Lists {
   std::vector<Left> left;
@@ -137,7 +213,7 @@ class Unread {
  public:
   Unread(std::shared_ptr<Document> file, const Import& cameras, std::string_view known)
       : file_(std::move(file)), known_(wordsIn(known)), apart_(cameras.apart.begin(), cameras.apart.end()) {
-    for (const std::string_view name : wordsIn(kKnown)) known_.push_back(name);
+    for (const std::string_view name : wordsIn(kSaysNothing)) known_.push_back(name);
     for (const CameraEntry& camera : cameras.cameras)
       if (camera.own) apart_.insert(&camera.own->json());
   }
@@ -214,7 +290,14 @@ class Unread {
       return true;
     }
     const auto width = statedOf(camera, "width"), height = statedOf(camera, "height");
-    if (n.size() != 2 || !isAmong(letters, kSizes) || !width || !height) return false;
+    if (!width || !height) return false;
+    if (n.size() == 1 && hasWord(left.name, "aspect") &&
+        (areNear(n[0], *width / *height, 0.01, 0) || areNear(n[0], *height / *width, 0.01, 0)))
+      return true;
+    constexpr double kLeastSide = 64;
+    const bool isOfPicture = isAmong(letters, kSizes) || (hasWord(left.name, kSizeWords) && areWhole(n, kLeastSide) &&
+                                                          !hasWord(left.name, kOtherSizes));
+    if (n.size() != 2 || !isOfPicture) return false;
     if (std::minmax(n[0], n[1]) != std::minmax(*width, *height))
       fail(n[0] == *width ? "height" : "width", n[0] == *width ? *height : *width);
     return true;
@@ -236,24 +319,29 @@ class Unread {
            std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(*file_, part, "").isMarked(); });
   }
 
-  void walk(const Node& node, std::string_view name, std::size_t depth, Nearness nearness, Lists& lists) const {
+  void walk(const Node& node, std::string_view name, std::size_t depth, Nearness nearness, Lists& lists,
+            const std::string& box = "") const {
     constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
     const Json& value = node.json();
     if (depth > 0 && apart_.contains(&value)) return;
     const bool isRead = node.isMarked(), isInParts = !isRead && isReadInParts(value);
     const bool isNumbers = depth > 0 && !isInParts && !value.is_null() && !value.is_boolean() && !value.empty();
-    const auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
-    const bool isOfOther = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
-                           : value.is_array()
-                               ? isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers))
-                               : value == true && (hasWord(name, kProjections) || hasWord(name, kFlags));
-    if (!isRead && isOfOther && !value.empty()) lists.left.push_back({node, {}, std::string(name), nearness});
+    auto numbers = isNumbers ? numbersIn(value) : std::nullopt;
+    if (isNumbers && !numbers && nearness != Nearness::far) numbers = measuresIn(value, name);
+    Meaning meaning = isRead || numbers ? Meaning::nothing : meaningOf(name, value);
+    // Far from the camera, only what is plain.
+    const bool isPlain = !value.is_string() || isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections);
+    if (nearness == Nearness::far && (meaning == Meaning::unclear || !isPlain)) meaning = Meaning::nothing;
+    const bool isOfOther = !isRead && value.is_array() && !value.empty() &&
+                           isAmong(lettersOf(name), kOfOtherPictures) && !(numbers && isNothing(*numbers));
+    if (isOfOther || meaning != Meaning::nothing)
+      lists.left.push_back({node, {}, std::string(name), nearness, box, isOfOther ? Meaning::otherPicture : meaning});
     if (numbers) {
       if (numbers->size() > kMostNumbers) return;
       if (isRead)
         lists.read.push_back(*numbers);
       else if (!isNothing(*numbers))
-        lists.left.push_back({node, *numbers, std::string(name), nearness});
+        lists.left.push_back({node, *numbers, std::string(name), nearness, box});
       return;
     }
     if (isRead || depth == kDeepestLevel) return;
@@ -261,11 +349,13 @@ class Unread {
       const bool isBeside = isInParts || std::any_of(value.begin(), value.end(), [&](const Json& part) {
                               return part.is_object() && isReadInParts(part);
                             });
-      const Nearness inside = isBeside                       ? Nearness::beside
-                              : nearness == Nearness::beside ? Nearness::inside
-                                                             : Nearness::far;
+      const Nearness inside = isBeside                    ? Nearness::beside
+                              : nearness != Nearness::far ? Nearness::inside
+                                                          : Nearness::far;
+      const std::string boxInside = inside == Nearness::inside ? joinedPath(box, name) : "";
       for (const auto& [key, member] : value.items())
-        if (!isKnown(key)) walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, inside, lists);
+        if (!isKnown(key))
+          walk(Node(*file_, member, joinedPath(node.path(), key)), key, depth + 1, inside, lists, boxInside);
       if (isBeside) addNumbered(node, lists);
     } else if (value.is_array() && value.size() <= kMostNumbers) {
       for (std::size_t i = 0; i < value.size(); ++i)
@@ -286,7 +376,7 @@ class Unread {
       const auto numbers = numbersIn(member);
       if (!numbers || numbers->size() != 1) continue;
       if (stem.ends_with('.')) stem.pop_back();
-      groups.try_emplace(stem, Left{each, {}, stem, Nearness::beside, true})
+      groups.try_emplace(stem, Left{each, {}, stem, Nearness::beside, "", Meaning::nothing, true})
           .first->second.numbers.push_back((*numbers)[0]);
     }
     for (auto& [stem, group] : groups) lists.left.push_back(std::move(group));
@@ -313,13 +403,14 @@ class Unread {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
     if (!left.areMembers && isKnown(left.name, "?")) return names.push_back(left.node.path());
-    if (!left.numbers.empty() && hasWord(left.name, kNoise)) return;
+    if (!left.numbers.empty() && (hasWord(left.name, kNoise) || hasWord(left.box, kOfTrials))) return;
+    if (left.numbers.empty() && left.meaning == Meaning::unclear) return names.push_back(left.node.path());
     const std::vector<double> m = oneOf(left.node, left.numbers);
     const std::size_t count = m.size();
     const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
     const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
     const bool isPoseNumber =
-        count == 1 && left.nearness != Nearness::far && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
+        count == 1 && left.nearness != Nearness::far && isAmong(withoutUnits(left.name), kPoseNumbers) && !isTurnOfNone;
     if (isPoseNumber ||
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
@@ -327,12 +418,13 @@ class Unread {
     if (left.areMembers || isChoice(left.name, m)) return;
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
-    const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, kRatios);
-    const bool isLens = count == 0 || hasWord(left.name, kLensWords) || isCoefficient(left.name);
+    const bool isOne = areAllOne(m) && hasWord(left.name, kRatios);
+    const bool isLens = count == 0 || hasWord(left.name, kLensWords) || hasWord(left.name, kFlags) ||
+                        isCoefficient(left.name) || (hasWord(left.box, kLensBoxes) && !hasWord(left.name, kOfGlass)) ||
+                        (count == 1 && isAmong(withoutUnits(left.name), kPictureTurns));
     if (isLens && !isOne && count <= 16)
       left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
-    const bool isNumberBeside = count == 1 && left.nearness == Nearness::beside && m.front() != 1;
-    if (count < 3 && !isNumberBeside) return;
+    if (count < 3 && (left.nearness == Nearness::far || areAllOne(m))) return;
     names.push_back(left.node.path());
   }
 

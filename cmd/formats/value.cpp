@@ -38,15 +38,21 @@ bool appendOrdered(const Json& object, std::vector<double>& numbers) {
   for (const std::string_view order : kOrders) {
     const std::vector<std::string_view> names = split(order, " ");
     if (object.size() < 2 || object.size() > names.size()) continue;
-    for (const std::string mark : {"", "@"}) {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < object.size(); ++i)
-        if (const auto member = object.find(mark + std::string(names[i])); member != object.end())
-          if (const auto number = numberIn(*member)) values.push_back(*number);
-      if (values.size() < object.size()) continue;
-      numbers.insert(numbers.end(), values.begin(), values.end());
-      return true;
-    }
+    for (const bool isUpper : {false, true})
+      for (const std::string mark : {"", "@"}) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < object.size(); ++i) {
+          std::string name = mark + std::string(names[i]);
+          if (isUpper)
+            std::transform(name.begin(), name.end(), name.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+          if (const auto member = object.find(name); member != object.end())
+            if (const auto number = numberIn(*member)) values.push_back(*number);
+        }
+        if (values.size() < object.size()) continue;
+        numbers.insert(numbers.end(), values.begin(), values.end());
+        return true;
+      }
   }
   return false;
 }

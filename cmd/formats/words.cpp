@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/fields.hpp"
 #include "text/number.hpp"
+#include "text/pattern.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -52,6 +54,11 @@ bool isAmong(std::string_view word, std::string_view words) {
 bool hasWord(std::string_view name, std::string_view words) {
   const std::vector<std::string> each = wordsOf(name);
   return std::any_of(each.begin(), each.end(), [&](const std::string& word) { return isAmong(word, words); });
+}
+
+bool fitsAny(std::string_view name, std::string_view patterns) {
+  const std::vector<std::string_view> all = wordsIn(patterns);
+  return std::any_of(all.begin(), all.end(), [&](std::string_view pattern) { return fitsPattern(name, pattern); });
 }
 
 std::string_view quaternionOrderOf(std::string_view name) {

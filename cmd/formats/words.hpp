@@ -38,4 +38,11 @@ inline constexpr std::string_view kNoise =
     "board square corner corners points map roi new optimal rect rectified rectification undistorted mean initial init "
     "gyro gyr acc accel noise bias time stamp timestamp color colour";
 
+/// Patterns of members that no format reads and that say nothing about the picture.
+inline constexpr std::string_view kSaysNothing =
+    "T_imu_body timestamp* time date *_time version* description name id index serial* frame_id seq stamp "
+    "sec nsec class_name comment* license $schema depth* *_id *_index *fps exposure* gain iso* *count num_* n_*";
+/// Whether a name fits one of these patterns, separated by blanks.
+bool fitsAny(std::string_view name, std::string_view patterns);
+
 }  // namespace viewproj::cmd

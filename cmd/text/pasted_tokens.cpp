@@ -58,6 +58,7 @@ class Scanner {
     while (at_ < t_.size()) {
       const char c = t_[at_];
       const bool isDots = follows("...");
+      if (c == '\t') quote('\t');
       const bool isMark = isLineStart && (isAmong(c, "*>") || (isAmong(c, "+-") && isSpaceOrEnd(at_ + 1)));
       if (c == '\n') {
         ++line_;
@@ -108,19 +109,20 @@ class Scanner {
     at_ = end;
   }
 
-  /// The end of [3], [1,], [,0] or [], and of [1,2] in front of = or :; kNone for any other bracket.
+  /// The end of [3], [1,], [,0] or [], and of [1,2] or [0..3] in front of = or :; kNone for any other bracket.
   std::size_t indexEnd(std::size_t i) const {
     if (at(i) != '[') return kNone;
     const std::size_t first = afterBlanks(i + 1), firstEnd = afterBlanks(afterDigits(first));
-    const std::size_t second = at(firstEnd) == ',' ? afterBlanks(firstEnd + 1) : firstEnd;
+    const bool isRange = t_.substr(std::min(firstEnd, t_.size()), 2) == "..";
+    const std::size_t second = isRange ? firstEnd + 2 : at(firstEnd) == ',' ? afterBlanks(firstEnd + 1) : firstEnd;
     const std::size_t end = afterBlanks(afterDigits(second));
     if (at(end) != ']') return kNone;
-    const bool isPair = isDigit(at(first)) && at(firstEnd) == ',' && isDigit(at(second));
+    const bool isPair = isDigit(at(first)) && (isRange || at(firstEnd) == ',') && isDigit(at(second));
     return isPair && !isAmong(at(afterBlanks(end + 1)), "=:") ? kNone : end + 1;
   }
 
   void step(char c) {
-    if (c == '"') quote();
+    if (c == '"') quote('"');
     if (c == '<' && tag()) return;
     if (const std::size_t bracket = indexEnd(at_); bracket != kNone) {
       emit(Kind::index, take(bracket));
@@ -139,16 +141,23 @@ class Scanner {
     }
   }
 
-  /// A cell of CSV with three numbers or more is a bracket.
-  void quote() {
-    if (at_ == closing_) return emit(Kind::close);
-    const std::size_t end = std::min(t_.find_first_not_of("-+0123456789.eE,; \t", at_ + 1), t_.size());
+  /// A cell of CSV with three numbers or more is a bracket; of a table of tabs one with commas and a cell behind it.
+  void quote(char end) {
+    if (at_ == closing_) {
+      emit(Kind::close);
+      if (end == '"') return;
+    }
+    const std::string_view inside = end == '"' ? "-+0123456789.eE,; \t" : "-+0123456789.eE, ";
+    const std::size_t last = std::min(t_.find_first_not_of(inside, at_ + 1), t_.size());
     const auto isNumber = [&](std::size_t i) { return isDigit(t_[i]) || t_[i] == '.'; };
-    std::size_t count = 0;
-    for (std::size_t i = at_ + 1; i < end; ++i) count += isNumber(i) && !isNumber(i - 1) ? 1 : 0;
-    if (at(end) != '"' || count < 3) return;
+    std::size_t count = 0, commas = 0;
+    for (std::size_t i = at_ + 1; i < last; ++i) {
+      count += isNumber(i) && !isNumber(i - 1) ? 1 : 0;
+      commas += t_[i] == ',' ? 1 : 0;
+    }
+    if (at(last) != end || count < 3 || (end == '\t' && commas + 1 < count)) return;
     emit(Kind::open);
-    closing_ = end;
+    closing_ = last;
   }
 
   bool tag() {

@@ -252,7 +252,7 @@ TEST_CASE("A refusal of each kind") {
   of(R"({"rotation": [0, 0, 0, 1]})", "C: target and rotation both orient the camera; keep one");
   of(R"({"projection": {"left": 1}})", "C: projection.left: is not a field of the type perspective (is 1)");
   of(R"({"target": null})", "C: position: needs a target, direction, rotation, euler or heading beside it");
-  of(R"({"viewport": {"width": null}})", "C: viewport: needs width");
+  of(R"({"viewport": {"width": null}})", "C: viewport: needs width; --viewport WIDTHxHEIGHT gives it");
   of(R"({"position": [1, 2]})", "C: position: expected x, y, z, or lat, lon, height");
   of(R"({"up": [3, 2, 5]})",
      "C: up: is parallel to the viewing direction, so it does not say which way is up; give another");

@@ -272,6 +272,38 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
            "camera_type": "fisheye", "render_height": 1080, "render_width": 1920})",
        "camera_type"},
   };
+  // Whatever depth, form and word says it.
+  const char* const kMovesPixels[] = {R"("lens": {"k": [-0.2, 0.03]})",
+                                      R"("lens": {"k": -0.2})",
+                                      R"("optics": {"barrel": -0.2})",
+                                      R"("kc1": 0.1)",
+                                      R"("mount": {"pitch_deg": -10})",
+                                      R"("cal": {"mount": {"roll_deg": 3}})",
+                                      R"("place": {"east": 5, "north": 2})",
+                                      R"("place": {"lat": 46.1, "lon": 7.2})",
+                                      R"("upside_down": true)",
+                                      R"("mirrored": "yes")",
+                                      R"("vflip": 1)",
+                                      R"("origin": "bottom-left")",
+                                      R"("y_axis": "up")",
+                                      R"("handedness": "left")",
+                                      R"("convention": "opengl")",
+                                      R"("calib_size": [1280, 960])",
+                                      R"("sensor": [1280, 960])",
+                                      R"("ref_size": "1280x960")",
+                                      R"("binning": "2x2")",
+                                      R"("scale": "1/2")",
+                                      R"("projection": "stereographic")",
+                                      R"("lens_type": "equisolid")",
+                                      R"("model": "rational")",
+                                      R"("units": "normalized")",
+                                      R"("rotation_deg": 90)"};
+  for (const std::string text : kMovesPixels) {
+    INFO(text);
+    const std::string name = text.substr(1, text.find('"', 1) - 1);
+    CHECK(messageOf(R"({"fx": 600, "fy": 601, "cx": 320, "cy": 240, "width": 640, "height": 480, )" + text + "}")
+              .find(name) != std::string::npos);
+  }
   for (const auto& [text, place] : kRefused) {
     INFO(text);
     const std::string got = messageOf(text);
@@ -284,6 +316,13 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
       openCameras(R"({"fx": 500, "fy": 500, "cx": 320, "cy": 240, "baseline": 0.12})", {.option = "FILE"}, {});
   (void)named->document(0);
   CHECK(named->unreadOf(0) == "baseline");
+  const auto words = openCameras(
+      R"({"fx": 600, "fy": 601, "cx": 320, "cy": 240, "width": 640, "height": 480, "mount": {"gap": 2}, "lens": {"focal_mm": 4.2},
+          "rectified": true, "projection": "odd", "note": "in the hall", "origin": "top-left", "units": "m", "camera": "left",
+          "binning": "1x1", "aspect_ratio": "4/3", "size": "640x480", "file": "fisheye/1.png", "flip": false, "frame_id": "up"})",
+      {.option = "FILE"}, {});
+  (void)words->document(0);
+  CHECK(words->unreadOf(0) == "lens.focal_mm, mount.gap, projection, rectified");
   const auto agreed = openCameras(
       R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "w": 100, "h": 50, "fx": 100, "cy": 24.5, "fovx": 53, "image_width": 100, "resolution": [50, 100]})",
       {.option = "FILE"}, {});
@@ -552,6 +591,29 @@ TEST_CASE("the finder proposes the line that reads a file") {
       R"({"lens": {"focal_length": 1000, "principal_point": [500, 300], "disto_k3": [-0.05, 0.02, 0.01]}, "spawn": {"x": 1, "pitch": 3, "z": 2}})");
   CHECK(std::count(radial.leftOut.begin(), radial.leftOut.end(), "lens.disto_k3") == 1);
   CHECK(std::count(radial.leftOut.begin(), radial.leftOut.end(), "spawn") == 1);
+  // All that holds numbers is in the line or left out; k and p of a lens are its distortion.
+  const Proposal mounted = proposed(
+      R"({"cams": [{"f": [920, 920], "c": [640, 360], "pixels": [1280, 720], "lens": {"k": [-0.1, 0.2, 0.3], "p": [0.01, 0]},
+                    "mount": {"xyz": [1, 0, 0], "rpy": [0, 0, 0]}, "tilt": 3, "version": 2}]})");
+  CHECK(mounted.lines.at(0).parts ==
+        "K=cams.0.f+cams.0.c, size=cams.0.pixels, "
+        "distortion=cams.0.lens.k[0,1]+cams.0.lens.p+cams.0.lens.k[2]");
+  CHECK(mounted.leftOut == std::vector<std::string>{"cams.0.mount.xyz", "cams.0.tilt"});
+  const Proposal starred = proposed(
+      R"({"a": {"f": [920, 920], "c": [640, 360], "pan": 1}, "b": {"f": [920, 920], "c": [640, 360], "pan": 2}})");
+  CHECK(starred.leftOut == std::vector<std::string>{"*.pan"});
+  const File xml("set.xml",
+                 R"(<Set><Cam W="2048" H="1536"><Foc X="2311" Y="2310"/><Ctr X="1019" Y="771"/></Cam></Set>)");
+  CHECK(proposed(xml.name().c_str()).lines.at(0).parts == "K=Set.Cam.Foc+Set.Cam.Ctr, size=Set.Cam.@W+Set.Cam.@H");
+  // MATLAB's camera matrix is the transposed one of others.
+  const Proposal turned = proposed(
+      R"({"camMatrix": [[1226.7, -30.5, -0.219], [100.1, 1440, 0.156], [930.2, 133.9, 0.963], [392010, 256050, 872]]})");
+  CHECK(turned.lines.at(0).parts == "P=camMatrix^T");
+  CHECK(turned.lines.at(0).decide.at(0).find("pixelCenter=1") != std::string::npos);
+  // An orbit's camera that would be upside down and look away with OpenCV's axes.
+  const Proposal orbit = proposed(
+      R"({"K": [[1111, 0, 400], [0, 1111, 400], [0, 0, 1]], "pose_a": [[0.8253, -0.283, 0.4886, 1.95], [0.5647, 0.4136, -0.7142, -2.85], [0, 0.8653, 0.5012, 2.1], [0, 0, 0, 1]]})");
+  CHECK(orbit.lines.at(0).decide.back().find("likely right, up, back") != std::string::npos);
   CHECK(!proposed(R"({"mtx_a": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "radial": [2.1e-8, -1.2e-14]})")
              .lines[0]
              .decide.empty());

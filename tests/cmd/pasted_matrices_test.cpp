@@ -311,8 +311,8 @@ TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
 }
 
 TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV's beside a K") {
-  const auto axesOf = [](const std::string& name, bool isBesideK = false) {
-    const auto found = findMatrices(name + " =\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n");
+  const auto axesOf = [](const std::string& name, bool isBesideK = false, const std::string& row = "0 0 1 2") {
+    const auto found = findMatrices(name + " =\n" + row + "\n1 0 0 3\n0 1 0 4\n0 0 0 1\n");
     return readingsOf(found.matrices.front(), isBesideK).readings.front().camera->convention.view;
   };
   for (const char* name : {"Tcw", "T_WC", "body_T_cam0", "T_cam_imu", "extrinsic", "Tr_velo_to_cam"})
@@ -320,7 +320,9 @@ TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV
   for (const char* name : {"D3DXMATRIX view", "XMMATRIX view"}) CHECK(axesOf(name) == ViewAxes::RUF);
   for (const char* name : {"view", "c2w", "matrixWorld"}) CHECK(axesOf(name) == ViewAxes::RUB);
   for (const char* name : {"w2c", "full_proj_transform", "world_view_transform"}) CHECK(axesOf(name) == ViewAxes::RDF);
-  CHECK(axesOf("pose", true) == ViewAxes::RDF);
+  CHECK(axesOf("pose", true, "0 0 1 -2") == ViewAxes::RDF);
+  // But for one that would then be upside down, with the origin behind it.
+  CHECK(axesOf("pose", true) == ViewAxes::RUB);
   // Beside a projection they are the projection's.
   for (const auto& [projection, axes] : {std::pair("1 0 0 0\n0 1.5 0 0\n0 0 -1.002 -0.2002\n0 0 -1 0\n", ViewAxes::RUB),
                                          std::pair("1 0 0 0\n0 1.5 0 0\n0 0 0 10\n0 0 1 0\n", ViewAxes::RUF)}) {
