@@ -25,6 +25,16 @@ std::string capitalized(std::string text) {
   return text;
 }
 
+/// What is said where nothing explains the pixels: of measured ones, how far they are off.
+std::string unexplained(const OrderedJson& report) {
+  constexpr double kMeasured = 5;  // pixels
+  const OrderedJson& largest = report["largestMiss"];
+  if (largest.is_null() || report["noPixel"] != 0 || largest > kMeasured) return "No explanation found.";
+  const double miss = largest, step = std::pow(10, std::floor(std::log10(miss)));
+  return "No explanation found. All miss by about " + formatDigits(report["rmsMiss"], 2) +
+         " px without a pattern: measured or rounded pixels? --within " + formatDigits(std::ceil(miss / step) * step, 2);
+}
+
 /// Explanations as sections under their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
   OrderedJson notes = OrderedJson::array();
@@ -34,10 +44,10 @@ OrderedJson forPeople(OrderedJson report) {
     notes.push_back(capitalized(mistakes::shownLines(wrong.get<std::vector<std::size_t>>())) + " alone " +
                     (wrong.size() == 1 ? "disagrees" : "disagree") +
                     ": a point or a pixel is wrong there, not the camera.");
-  if (!report["verdict"].is_null())
-    notes.push_back(
-        std::string("No explanation found.") +
-        (report["worst"].is_null() ? "" : " Pixels rounded to whole numbers need --within 1, truncated ones 1.5."));
+  if (!report["verdict"].is_null()) notes.push_back(unexplained(report));
+  if (std::any_of(list.begin(), list.end(),
+                  [](const OrderedJson& one) { return !one["mend"].is_null() && !one["pairs"].is_null(); }))
+    notes.push_back("Where an explanation has mend and pairs, both are needed.");
   if (!list.empty() && report["records"] == 1)
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
   if (!report["worst"].is_null()) report["worst"] = "line " + report["worst"].dump();

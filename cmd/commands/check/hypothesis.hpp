@@ -113,6 +113,8 @@ class Trials {
 void addWindowRows(Trials& trials);
 void addPoseRows(Trials& trials);
 void addPixelRows(Trials& trials);
+/// Of a family with one number, read as a field that is a ratio of small numbers.
+void addRatioRows(Trials& trials, const Hypothesis& fitted);
 /// All of them.
 std::vector<Hypothesis> rowsOf(const CameraFile& file);
 /// Signed permutations of three axes, each with its name, as in "-y,-z,x".

@@ -114,13 +114,23 @@ struct CheckedCamera {
     return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
   }
 
-  /// The lines of the pairs that alone disagree: at most a quarter, of four or more. Else none.
-  std::vector<std::size_t> wrongLines() const {
-    std::vector<std::size_t> wrong;
-    for (const Pair& pair : pairs)
-      if (!(length(pair.miss) <= within)) wrong.push_back(pair.line);
-    const bool areFew = pairs.size() >= 4 && wrong.size() <= std::max<std::size_t>(1, pairs.size() / 4);
-    return areFew ? wrong : std::vector<std::size_t>{};
+  /// Of pairs that alone disagree, at most a quarter of four or more: the lines of those that miss by several times
+  /// what the others do.
+  struct Few {
+    bool are = false;
+    std::vector<std::size_t> wrong = {};
+  };
+  Few few() const {
+    std::vector<double> distances;
+    for (const Pair& pair : pairs) distances.push_back(std::isnan(length(pair.miss)) ? HUGE_VAL : length(pair.miss));
+    const auto isBeyond = [&](double distance) { return distance > within; };
+    const auto beyond = static_cast<std::size_t>(std::count_if(distances.begin(), distances.end(), isBeyond));
+    if (pairs.size() < 4 || beyond > std::max<std::size_t>(1, pairs.size() / 4)) return {};
+    Few few{true};
+    const double limit = wrongFrom(distances, beyond, within);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (distances[i] > limit) few.wrong.push_back(pairs[i].line);
+    return few;
   }
 
   /// In which mistakes are sought.
@@ -239,7 +249,7 @@ OrderedJson PairReport::explanations(const CheckedCamera& of) const {
 OrderedJson PairReport::report() const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<const CheckedCamera*> open;  // that disagree, by more than a few wrong pairs
+  std::vector<const CheckedCamera*> open, noisy;  // that disagree, by more than a few pairs, or by a few of like misses
   std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairsWithPixel().size();
   bool agrees = true;
   for (const auto& [place, camera] : cameras_) {
@@ -249,13 +259,14 @@ OrderedJson PairReport::report() const {
     cameras.push_back(std::move(row));
     if (camera->agrees()) continue;
     agrees = false;
-    const std::vector<std::size_t> lines = camera->wrongLines();
+    const auto [areFew, lines] = camera->few();
     wrong.insert(wrong.end(), lines.begin(), lines.end());
     const std::vector<Pair> pairs = camera->pairsWithPixel();
     const bool agree =
         std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
-    if (lines.empty() && !agree) open.push_back(camera.get());
+    if (lines.empty() && !agree) (areFew ? noisy : open).push_back(camera.get());
   }
+  if (open.empty()) open = noisy;
   std::sort(wrong.begin(), wrong.end());
   std::stable_sort(open.begin(), open.end(), [](const auto* a, const auto* b) { return a->rms() < b->rms(); });
   if (!open.empty()) {  // sought for the one in the middle, and tried on all
