@@ -32,7 +32,8 @@ std::string unexplained(const OrderedJson& report) {
   if (largest.is_null() || report["noPixel"] != 0 || largest > kMeasured) return "No explanation found.";
   const double miss = largest, step = std::pow(10, std::floor(std::log10(miss)));
   return "No explanation found. All miss by about " + formatDigits(report["rmsMiss"], 2) +
-         " px without a pattern: measured or rounded pixels? --within " + formatDigits(std::ceil(miss / step) * step, 2);
+         " px without a pattern: measured or rounded pixels? --within " +
+         formatDigits(std::ceil(miss / step) * step, 2);
 }
 
 /// Explanations as sections under their sentences, and what to know of them.
@@ -103,8 +104,8 @@ int runCheck(const CheckOptions& o) {
   const CameraSet& cameras = *set.first;
   const std::string forSeveral = "; --camera-by FIELD names each pair's (convert --to observations writes such pairs)";
   const std::vector<std::size_t> picked = cameras.chooseAll(set.second);
-  const CameraFile file =
-      o.camera.readOne(cameras, o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral));
+  const std::size_t chosen = o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral);
+  const CameraFile file = o.camera.readOne(cameras, chosen);
   std::vector<bool> isPicked(cameras.size());
   for (const std::size_t which : picked) isPicked[which] = true;
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -127,7 +128,16 @@ int runCheck(const CheckOptions& o) {
   };
   const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
   if (all.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = all.report();
+  const auto others = [&] {
+    constexpr std::size_t kMost = 100;
+    std::vector<std::pair<std::string, CameraFile>> list;
+    for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) try {
+        if (i != chosen) list.emplace_back("#" + cameras.pickOf(i), o.camera.readOne(cameras, i));
+      } catch (const InputError&) {  // it has no pose, or not these fields
+      }
+    return list;
+  };
+  const OrderedJson report = o.cameraBy ? all.report() : all.report(others);
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }

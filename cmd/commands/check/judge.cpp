@@ -103,6 +103,7 @@ double allowanceOf(const Explanation& e, const Explanation& best, double within)
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
   if (isOneOfTwo && growthOf(e.hypothesis) * e.largest <= within) return HUGE_VAL;
   if (more < 0 && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  if (isSame(e, best, true)) return HUGE_VAL;
   return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
@@ -128,9 +129,8 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
                isRow = isOld && e.stage == Stage::rows && e.largest <= within;
     const std::string& mistake = e.hypothesis.mistake;
     const auto tells = [&](const auto& isAlike) {
-      return std::any_of(out.begin(), out.end(), [&](const Explanation& o) {
-        return parameters >= parametersOf(o) && isAlike(o);
-      });
+      return std::any_of(out.begin(), out.end(),
+                         [&](const Explanation& o) { return parameters >= parametersOf(o) && isAlike(o); });
     };
     if (!keepsSame && tells([&](const Explanation& o) {
           return (!isOld || detourOf(e.hypothesis) > detourOf(o.hypothesis)) && isSame(e, o, true);
@@ -424,7 +424,7 @@ class Search {
     if (n > kMost) return {};
     Explanation e{.hypothesis = nothing_};
     e.hypothesis.mistake = "pixel-order";
-    std::vector<std::string> others;         // that have the pixel of another line
+    std::vector<std::string> others;               // that have the pixel of another line
     std::set<std::ptrdiff_t> taken, places, sums;  // how many places further down it is, and both places together
     double squares = 0;
     for (const Pair& pair : pairs_) {

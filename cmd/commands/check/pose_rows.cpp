@@ -20,12 +20,14 @@ void readAsOther(Trials& t) {
   };
   for (const auto& [path, other] :
        {std::pair("worldFromCamera", "cameraFromWorld"), {"cameraFromWorld", "worldFromCamera"}})
-    if (const Json* const pose = t.find(path)) t.change("pose-inverted", {{path, nullptr}, {other, *pose}});
+    if (const Json* const pose = t.find(path)) t.change("pose-inverted", {{path, nullptr}, {other, *pose}}, other);
   const Json *const rotation = array("rotation"), *const position = array("position"), *const target = array("target");
   if (rotation && position)
-    t.change("pose-inverted", {{"position", nullptr},
-                               {"rotation", nullptr},
-                               {"cameraFromWorld", {{"rotation", *rotation}, {"translation", *position}}}});
+    t.change("pose-inverted",
+             {{"position", nullptr},
+              {"rotation", nullptr},
+              {"cameraFromWorld", {{"rotation", *rotation}, {"translation", *position}}}},
+             "cameraFromWorld");
   for (const auto& [path, other] : {std::pair("target", "direction"), {"direction", "target"}})
     if (const Json* const value = array(path)) t.change("direction-as-target", {{other, *value}}, other);
   if (target && position) t.change("eye-target-exchanged", {{"position", *target}, {"target", *position}});
@@ -37,7 +39,8 @@ void readAsOther(Trials& t) {
     }
   if (t.has("target") || t.has("direction"))
     for (const Json& up : {Json{0, 1, 0}, Json{0, 0, 1}})
-      if (const Json* const own = t.find("up"); !own || *own != up) t.change("up-axis", {{"up", up}}, up[1] == 1 ? "up y" : "up z");
+      if (const Json* const own = t.find("up"); !own || *own != up)
+        t.change("up-axis", {{"up", up}}, up[1] == 1 ? "up y" : "up z");
   for (const char* const path : {"worldFromCamera.rotationVector", "cameraFromWorld.rotationVector"})
     if (const Json* const vector = array(path)) {
       std::array<double, 3> radians{};
@@ -137,8 +140,19 @@ void readPoseAsOther(Trials& t) {
     t.pose("pose-twice", axes * rotation, sum(eye, 1, back * eye));
     t.pose("pose-twice", axes, scaled(eye, 2));
   }
-  if (isProper && angleOf(rotation) > kNoTurn)
-    for (const Vec3& to : {eye, none}) t.pose("pose-left-out", own, to);
+  const double angle = isProper ? angleOf(rotation) : 0;
+  if (!(angle > kNoTurn)) return;
+  for (const Vec3& to : {eye, none}) t.pose("pose-left-out", own, to);
+  if (!(std::sin(angle) > kNoTurn)) return;
+  const Vec3 vector = scaled(skewOf(rotation), angle / (2 * std::sin(angle)));
+  for (const double unit : {1.0, std::numbers::pi / 180}) {
+    const Vec3 v = scaled(vector, unit);
+    const Rows x = turn({v.x, 0, 0}), y = turn({0, v.y, 0}), z = turn({0, 0, v.z});
+    for (const Rows& turned : {z * y * x, x * y * z}) {  // each is of the inverse in the other order, too
+      t.pose("rotation-vector", own * turned, transposed(turned) * scaled(view, -1));
+      t.pose("rotation-vector", own * turned, eye);
+    }
+  }
 }
 
 void changeUnits(Trials& t) {
@@ -156,7 +170,12 @@ void turnAxes(Trials& t) {
     if (rows == kUnit) continue;
     const bool isUp = name == "x,z,-y" || name == "x,-z,y" || name == "x,z,y";
     const bool isMirror = name == "-x,y,z" || name == "x,-y,z" || name == "x,y,-z";
-    const Json value = name == "x,z,y" ? Json("exchanged") : isUp || isMirror ? Json() : Json(name);
+    const Vec3 up = t.up(), upOfPoints = transposed(rows) * up;
+    const Json value = !isUp                            ? (isMirror ? Json() : Json(name))
+                       : name == "x,z,y"                ? Json("exchanged")
+                       : up.y == 1 && upOfPoints.z == 1 ? Json("z for y")
+                       : up.z == 1 && upOfPoints.y == 1 ? Json("y for z")
+                                                        : Json();
     t.points(isUp ? "up-axis" : isMirror ? "x-mirrored" : "point-axes", rows, value);
     if (determinant(rows) > 0) t.pose("camera-axes", rows * own.axes, own.eye, name);
   }

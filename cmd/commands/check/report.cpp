@@ -114,23 +114,27 @@ struct CheckedCamera {
     return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
   }
 
-  /// Of pairs that alone disagree, at most a quarter of four or more: the lines of those that miss by several times
-  /// what the others do.
-  struct Few {
-    bool are = false;
-    std::vector<std::size_t> wrong = {};
+  /// Whether the others agree but for noise; the lines of those, at most a quarter, that miss by several times more.
+  struct Wrong {
+    bool othersAgree = false;
+    std::vector<std::size_t> lines = {};
   };
-  Few few() const {
+  Wrong wrong() const {
+    const std::size_t quarter = std::max<std::size_t>(1, pairs.size() / 4);
+    if (pairs.size() < 4) return {};
     std::vector<double> distances;
     for (const Pair& pair : pairs) distances.push_back(std::isnan(length(pair.miss)) ? HUGE_VAL : length(pair.miss));
-    const auto isBeyond = [&](double distance) { return distance > within; };
-    const auto beyond = static_cast<std::size_t>(std::count_if(distances.begin(), distances.end(), isBeyond));
-    if (pairs.size() < 4 || beyond > std::max<std::size_t>(1, pairs.size() / 4)) return {};
-    Few few{true};
-    const double limit = wrongFrom(distances, beyond, within);
+    const double limit = wrongFrom(distances, quarter, within);
+    Wrong found;
+    double squares = 0;  // of the others
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (distances[i] > limit) few.wrong.push_back(pairs[i].line);
-    return few;
+      if (distances[i] > limit)
+        found.lines.push_back(pairs[i].line);
+      else
+        squares += distances[i] * distances[i];
+    const auto others = static_cast<double>(pairs.size() - found.lines.size());
+    found.othersAgree = found.lines.size() <= quarter && std::sqrt(squares / others) <= within;
+    return found.othersAgree ? found : Wrong{};
   }
 
   /// In which mistakes are sought.
@@ -180,16 +184,28 @@ void PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::s
 
 std::size_t PairReport::records() const { return all_->records; }
 
-OrderedJson PairReport::explanations(const CheckedCamera& of) const {
+OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& others) const {
   const std::vector<Pair> judged = of.pairsWithPixel();
-  std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_);
+  std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_), ofOthers;
+  // A mistake without a number is simpler than another camera.
+  if (others && (found.empty() || found[0].hypothesis.parameters > 0 || found[0].largest > within_))
+    for (const auto& [pick, file] : others()) {
+      Explanation e{.hypothesis = {.mistake = "camera-of-file", .value = pick, .camera = plainOf(makeCamera(file))}};
+      e.misses = missesOf(e.hypothesis, judged);
+      if (!areWithin(e.misses, within_)) continue;
+      e.rms = std::sqrt(squaresOf(e.misses) / static_cast<double>(2 * judged.size()));
+      for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
+      ofOthers.push_back(std::move(e));
+    }
+  const bool isOfOther = !ofOthers.empty();  // it is picked, and no field is mended
+  if (isOfOther) found = std::move(ofOthers);
   struct Told {
     Mend mend;
     Left anew = {}, asItIs = {};  ///< made for each camera, or one mend for all
     bool isHarmless = true;       ///< all cameras that agree do so with the mend
   };
   std::vector<Told> told;
-  for (const Explanation& e : found) told.push_back({mendOf(*of.file, e, judged)});
+  for (const Explanation& e : found) told.push_back({isOfOther ? Mend{} : mendOf(*of.file, e, judged)});
   for (const auto& [place, camera] : cameras_) {
     if (!isSet_) break;
     const std::vector<Hypothesis> rows = rowsOf(*camera->file);
@@ -246,10 +262,10 @@ OrderedJson PairReport::explanations(const CheckedCamera& of) const {
   return list;
 }
 
-OrderedJson PairReport::report() const {
+OrderedJson PairReport::report(const Others& others) const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<const CheckedCamera*> open, noisy;  // that disagree, by more than a few pairs, or by a few of like misses
+  std::vector<const CheckedCamera*> open, noisy;  // that disagree: by more than a few pairs, or by noise
   std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairsWithPixel().size();
   bool agrees = true;
   for (const auto& [place, camera] : cameras_) {
@@ -259,12 +275,12 @@ OrderedJson PairReport::report() const {
     cameras.push_back(std::move(row));
     if (camera->agrees()) continue;
     agrees = false;
-    const auto [areFew, lines] = camera->few();
+    const auto [othersAgree, lines] = camera->wrong();
     wrong.insert(wrong.end(), lines.begin(), lines.end());
     const std::vector<Pair> pairs = camera->pairsWithPixel();
     const bool agree =
         std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
-    if (lines.empty() && !agree) (areFew ? noisy : open).push_back(camera.get());
+    if (lines.empty() && !agree) (othersAgree ? noisy : open).push_back(camera.get());
   }
   if (open.empty()) open = noisy;
   std::sort(wrong.begin(), wrong.end());
@@ -273,7 +289,7 @@ OrderedJson PairReport::report() const {
     const CheckedCamera& middle = *open[open.size() / 2];
     judged = middle.pairsWithPixel().size();
     wrong.clear();
-    list = explanations(middle);
+    list = explanations(middle, others);
   }
   const bool isFound = agrees || !list.empty() || !wrong.empty();
   OrderedJson report{{"agrees", agrees}, {"records", all_->records}, {"noPixel", noPixel}, {"within", within_}};

@@ -48,6 +48,7 @@ constexpr Mistake kMistakes[] = {
     {"translation-left-out", "the translation is left out"},
     {"pose-left-out", "the rotation, or the whole pose, is left out"},
     {"pose-twice", "the pose is applied twice"},
+    {"rotation-vector", "a rotation vector is taken for three angles"},
     {"eye-target-exchanged", "eye and target are exchanged"},
     {"unit", "one side has another unit: {0} times {1}"},
     {"point-axes", "the points have other axes: {}"},
@@ -77,6 +78,7 @@ constexpr Mistake kMistakes[] = {
     {"pose", "the camera is turned by {0} degrees, moved by {1}, {2}, {3}"},
     {"pose-and-focal-length", "pose and focal length: {0} degrees, moved by {1}, {2}, {3}"},
     {"another-camera", "another camera: {0} degrees, moved by {1}, {2}, {3}"},
+    {"camera-of-file", "the pixels are of another camera of the file: {}"},
     {"pixel-order", "the pixels are in another order"}};
 
 struct Saying {
@@ -94,8 +96,12 @@ constexpr Saying kSayings[] = {
     {"direction-as-target", "target", "the direction is a target"},
     {"up-axis", "up y", "up is y"},
     {"up-axis", "up z", "up is z"},
+    {"up-axis", "z for y", "the points have z up, the camera y"},
+    {"up-axis", "y for z", "the points have y up, the camera z"},
     {"up-axis", "down", "the camera is upside down"},
     {"up-axis", "exchanged", "y and z of the points are exchanged"},
+    {"pose-inverted", "cameraFromWorld", "the pose is inverted: its numbers are of world-to-camera"},
+    {"pose-inverted", "worldFromCamera", "the pose is inverted: its numbers are of camera-to-world"},
     {"pose-inverted", "rotation", "the rotation alone is transposed (rows for columns)"},
     {"translation-as-position", "position", "the camera's translation is a position"},
     {"translation-as-position", "translation", "the camera's position is a translation"},
@@ -254,7 +260,8 @@ std::string wordsForPairs(const Hypothesis& h, const PixelMap& m) {
   add(h.places == PlaceMap::negateLat, "replace lat of the points by -lat");
   add(h.lensPasses < 0, "undistort the pixels once; the lens is in them twice");
   add(!h.words.empty(), h.words);
-  add(h.lensPasses > 0, "do not undistort the pixels; they are undistorted twice, or the coefficients are of the inverse model");
+  add(h.lensPasses > 0,
+      "do not undistort the pixels; they are undistorted twice, or the coefficients are of the inverse model");
   return text;
 }
 
