@@ -55,6 +55,7 @@ struct Hypothesis {
   double scale = 1;        ///< of the area of the picture, where camera is of a smaller or larger one
   bool isResized = false;  ///< about its corner
   int parameters = 0;
+  bool isRead = false;     ///< its value, from a family's number
   std::string words = "";  ///< what else is done to the pairs
 
   /// The mended point and pixel of given ones.

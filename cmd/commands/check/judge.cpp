@@ -96,6 +96,11 @@ int detourOf(const Hypothesis& h) {
   return h.movesPixels() ? 2 : h.sets.empty() && h.points == kUnit && h.places == PlaceMap::none ? 1 : 0;
 }
 
+/// Whether it is told without evidence: a row that has long been known, and leaves no more than the tolerance.
+bool bringsWithin(const Explanation& e, double within) {
+  return e.stage == Stage::rows && !e.hypothesis.isRead && e.largest <= within && isLongKnown(e.hypothesis.mistake);
+}
+
 /// By how much less evidence it may stand in place of the best: if it is simpler.
 double allowanceOf(const Explanation& e, const Explanation& best, double within) {
   const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
@@ -125,8 +130,7 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
   int fewest = parametersOf(found[0]);
   for (Explanation& e : found) {
     const int parameters = parametersOf(e);
-    const bool isOld = isLongKnown(e.hypothesis.mistake),
-               isRow = isOld && e.stage == Stage::rows && e.largest <= within;
+    const bool isOld = isLongKnown(e.hypothesis.mistake), isRow = bringsWithin(e, within);
     const std::string& mistake = e.hypothesis.mistake;
     const auto tells = [&](const auto& isAlike) {
       return std::any_of(out.begin(), out.end(),
@@ -177,7 +181,9 @@ class Search {
     const std::vector<Hypothesis> simple = families(fitOf(nothing_), Table::simple);
     seek(simple, Stage::families);
     for (const Hypothesis& h : simple) addRatioRows(trials_, h);
-    seek(trials_.take(), Stage::rows, static_cast<double>(rows_.size()));
+    std::vector<Hypothesis> ratios = trials_.take();
+    for (Hypothesis& h : ratios) h.isRead = true;
+    seek(ratios, Stage::rows, static_cast<double>(rows_.size()));
     seekAmongNoise();
     const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
       std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
@@ -249,8 +255,7 @@ class Search {
       for (std::size_t i = 1; i <= e.wrong.size(); ++i)
         choices += std::log(static_cast<double>(right.size() + i) / static_cast<double>(i));
       e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
-      const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
-      if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
+      if (e.evidence > kThreshold || bringsWithin(e, within_)) found.push_back(std::move(e));
     }
     return found;
   }
