@@ -94,14 +94,15 @@ Fraction fractionOf(double ratio) {
   return {};
 }
 
-std::string shownFraction(const Fraction& f) {
-  return std::to_string(f.first) + (f.second == 1 ? "" : "/" + std::to_string(f.second));
+/// "4/3", or a whole number.
+Json shownFraction(const Fraction& f) {
+  return f.second == 1 ? Json(f.first) : Json(std::to_string(f.first) + "/" + std::to_string(f.second));
 }
 
 /// "4/3", or the number.
 Json shownRatio(double ratio) {
   const Fraction f = fractionOf(ratio);
-  return f.first > 0 && std::fabs(f.first / (ratio * f.second) - 1) < 1e-9 ? Json(shownFraction(f)) : Json(ratio);
+  return f.first > 0 && std::fabs(f.first / (ratio * f.second) - 1) < 1e-9 ? shownFraction(f) : Json(ratio);
 }
 
 /// "60" and "60deg" in radians, "1.05rad" in degrees.
@@ -130,7 +131,7 @@ void changeAngle(Trials& t) {
   }
   if (t.has("projection.aspect"))
     t.change("aspect", {{"projection.aspect", nullptr}}, shownRatio(t.viewport().width / t.viewport().height));
-  for (const Json& aspect : {Json("1"), shownRatio(1 / t.projection().aspect())})
+  for (const Json& aspect : {Json(1), shownRatio(1 / t.projection().aspect())})
     t.change("aspect", {{"projection.aspect", aspect}}, aspect, true);
 }
 
