@@ -29,7 +29,8 @@ std::string capitalized(std::string text) {
 std::string unexplained(const OrderedJson& report) {
   constexpr double kMeasured = 5;  // pixels
   const OrderedJson& largest = report["largestMiss"];
-  if (largest.is_null() || report["noPixel"] != 0 || largest > kMeasured) return "No explanation found.";
+  if (report["records"] < 2 || report["noPixel"] != 0 || largest.is_null() || largest > kMeasured)
+    return "No explanation found.";
   const double miss = largest, step = std::pow(10, std::floor(std::log10(miss)));
   return "No explanation found. All miss by about " + formatDigits(report["rmsMiss"], 2) +
          " px without a pattern: measured or rounded pixels? --within " +
@@ -131,10 +132,14 @@ int runCheck(const CheckOptions& o) {
   const auto others = [&] {
     constexpr std::size_t kMost = 100;
     std::vector<std::pair<std::string, CameraFile>> list;
-    for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) try {
-        if (i != chosen) list.emplace_back("#" + cameras.pickOf(i), o.camera.readOne(cameras, i));
-      } catch (const InputError&) {  // it has no pose, or not these fields
+    for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) {
+      if (i == chosen) continue;
+      try {
+        list.emplace_back("#" + cameras.pickOf(i), o.camera.readOne(cameras, i));
+      } catch (const InputError&) {  // no camera without what only the chosen one has
+      } catch (const UsageError&) {
       }
+    }
     return list;
   };
   const OrderedJson report = o.cameraBy ? all.report() : all.report(others);

@@ -25,8 +25,8 @@ enum class By : std::uint8_t {
   k1, k2, p1, p2  // the lens
 };
 
-/// value: its numbers. f g: factors of the focal lengths; x y: pixels; a b: pixels of 0, 0; d: degrees; X Y Z U: the eye's way, and up; u: the
-/// factor of its distance from the origin; k l p q: the lens.
+/// value: its numbers. f g: factors of the focal lengths; x y: pixels; a b: what the pixel 0, 0 becomes; d: degrees;
+/// X Y Z U: the eye's way, and up; u: the factor of its distance from the origin; k l p q: the lens.
 struct Family {
   const char* mistake;
   std::vector<By> by;

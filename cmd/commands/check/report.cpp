@@ -190,7 +190,9 @@ OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& othe
   // A mistake without a number is simpler than another camera.
   if (others && (found.empty() || found[0].hypothesis.parameters > 0 || found[0].largest > within_))
     for (const auto& [pick, file] : others()) {
-      Explanation e{.hypothesis = {.mistake = "camera-of-file", .value = pick, .camera = plainOf(makeCamera(file))}};
+      const auto camera = plainWith(file, {}, false);
+      if (!camera) continue;
+      Explanation e{.hypothesis = {.mistake = "camera-of-file", .value = pick, .camera = *camera}};
       e.misses = missesOf(e.hypothesis, judged);
       if (!areWithin(e.misses, within_)) continue;
       e.rms = std::sqrt(squaresOf(e.misses) / static_cast<double>(2 * judged.size()));

@@ -153,7 +153,7 @@ void changeLens(Trials& t) {
     t.change(mistake, {{"distortion", std::move(lens)}}, std::move(value));
   };
   if (!given) {
-    if (!t.plain().isOrthographic) become("fisheye-for-brown", {{"model", "fisheye"}}, "fisheye");
+    if (!t.plain().isOrthographic) become("fisheye-for-brown", {{"model", "fisheye"}}, "equidistant");
     return;
   }
   become("distortion-ignored", nullptr);
