@@ -25,6 +25,18 @@ std::string capitalized(std::string text) {
   return text;
 }
 
+/// What is said where nothing explains the pixels: of measured ones, how far they are off.
+std::string unexplained(const OrderedJson& report) {
+  constexpr double kMeasured = 5;  // pixels
+  const OrderedJson& largest = report["largestMiss"];
+  if (report["records"] < 2 || report["noPixel"] != 0 || largest.is_null() || largest > kMeasured)
+    return "No explanation found.";
+  const double miss = largest, step = std::pow(10, std::floor(std::log10(miss)));
+  return "No explanation found. All miss by about " + formatDigits(report["rmsMiss"], 2) +
+         " px without a pattern: measured or rounded pixels? --within " +
+         formatDigits(std::ceil(miss / step) * step, 2);
+}
+
 /// Explanations as sections under their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
   OrderedJson notes = OrderedJson::array();
@@ -34,10 +46,10 @@ OrderedJson forPeople(OrderedJson report) {
     notes.push_back(capitalized(mistakes::shownLines(wrong.get<std::vector<std::size_t>>())) + " alone " +
                     (wrong.size() == 1 ? "disagrees" : "disagree") +
                     ": a point or a pixel is wrong there, not the camera.");
-  if (!report["verdict"].is_null())
-    notes.push_back(
-        std::string("No explanation found.") +
-        (report["worst"].is_null() ? "" : " Pixels rounded to whole numbers need --within 1, truncated ones 1.5."));
+  if (!report["verdict"].is_null()) notes.push_back(unexplained(report));
+  if (std::any_of(list.begin(), list.end(),
+                  [](const OrderedJson& one) { return !one["mend"].is_null() && !one["pairs"].is_null(); }))
+    notes.push_back("Where an explanation has mend and pairs, both are needed.");
   if (!list.empty() && report["records"] == 1)
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
   if (!report["worst"].is_null()) report["worst"] = "line " + report["worst"].dump();
@@ -93,8 +105,8 @@ int runCheck(const CheckOptions& o) {
   const CameraSet& cameras = *set.first;
   const std::string forSeveral = "; --camera-by FIELD names each pair's (convert --to observations writes such pairs)";
   const std::vector<std::size_t> picked = cameras.chooseAll(set.second);
-  const CameraFile file =
-      o.camera.readOne(cameras, o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral));
+  const std::size_t chosen = o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral);
+  const CameraFile file = o.camera.readOne(cameras, chosen);
   std::vector<bool> isPicked(cameras.size());
   for (const std::size_t which : picked) isPicked[which] = true;
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -117,7 +129,20 @@ int runCheck(const CheckOptions& o) {
   };
   const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
   if (all.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = all.report();
+  const auto others = [&] {
+    constexpr std::size_t kMost = 100;
+    std::vector<std::pair<std::string, CameraFile>> list;
+    for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) {
+      if (i == chosen) continue;
+      try {
+        list.emplace_back("#" + cameras.pickOf(i), o.camera.readOne(cameras, i));
+      } catch (const InputError&) {  // no camera without what only the chosen one has
+      } catch (const UsageError&) {
+      }
+    }
+    return list;
+  };
+  const OrderedJson report = o.cameraBy ? all.report() : all.report(others);
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }

@@ -215,7 +215,8 @@ def made(scene, pixel=same, point=None, noise=0.0):
 
 
 # The lens taken off the pixels, or put back, so many times.
-UNDISTORT = {"undistort the pixels once; the lens is in them twice": -1, "do not undistort the pixels; they are undistorted twice": 2}
+UNDISTORT = {"undistort the pixels once; the lens is in them twice": -1,
+             "do not undistort the pixels; they are undistorted twice, or the coefficients are of the inverse model": 2}
 
 
 def mended(scene, document, pairs, told):

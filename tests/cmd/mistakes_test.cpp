@@ -68,7 +68,7 @@ Document documentOf(const Json& json) {
   return document;
 }
 CameraFile fileOf(const Json& json) { return readCamera(documentOf(json), {}); }
-Camera cameraOf(const Json& json) { return makeCamera(fileOf(json)); }
+Camera cameraOf(const Json& json) { return makeCamera(readCamera(documentOf(json), {.allowStretch = true})); }
 
 /// Points in the picture.
 std::vector<Vec3> pointsOf(Random& random, const Camera& camera, int count, double nearest = 3) {
@@ -93,6 +93,15 @@ struct Wrong {
 };
 
 const auto kSame = [](Json&) {};
+const auto kSamePixel = [](Vec2, Vec2 q) { return q; };
+const auto kSamePoint = [](Vec3 p) { return p; };
+
+/// The numbers of a picture that is so much larger, in which cx and cy count from `zero`.
+void enlarge(Json& d, double times, double zero) {
+  for (const char* const f : {"fx", "fy"}) d["projection"][f] = times * d["projection"][f].get<double>();
+  for (const char* const c : {"cx", "cy"})
+    d["projection"][c] = times * (d["projection"][c].get<double>() - zero) + zero;
+}
 
 const Wrong kWrong[] = {
     {"y-flipped",
@@ -214,6 +223,10 @@ const Wrong kWrong[] = {
      }},
     {"euler-sign", {euler}, [](Json& d) { d["euler"]["degrees"][1] = -d["euler"]["degrees"][1].get<double>(); }},
     {"fx-fy-exchanged", {vision}, [](Json& d) { std::swap(d["projection"]["fx"], d["projection"]["fy"]); }},
+    {"picture-size", {vision, bent}, [](Json& d) { enlarge(d, 1.5, 0); }},
+    {"picture-size", {vision}, [](Json& d) { enlarge(d, 1.5, -0.5); }},
+    {"aspect", {look}, kSame, kSamePixel, kSamePoint, [](Json& d) { d["projection"]["aspect"] = "16/9"; }},
+    {"aspect", {look}, kSame, kSamePixel, kSamePoint, [](Json& d) { d["projection"]["aspect"] = "5/4"; }},
     {"lens-order", {bent}, [](Json& d) { std::swap(d["distortion"]["p"][0], d["distortion"]["p"][1]); }},
     {"lens-sign",
      {bent},
@@ -252,7 +265,9 @@ Case caseOf(const Wrong& wrong, unsigned trial, int count, double noise = 0) {
   const Json right = documentOf(random, form);
   Case made{right, {}};
   wrong.document(made.given);
-  const Camera camera = cameraOf(right);
+  Json truth = right;
+  wrong.truth(truth);
+  const Camera camera = cameraOf(truth);
   const Vec2 size{camera.viewport().width, camera.viewport().height};
   const double half = camera.viewport().pixelCenter - 0.5;
   for (const Vec3& point : pointsOf(random, camera, count, form == earth ? 90 : 3)) {
@@ -513,6 +528,49 @@ TEST_CASE("Pixels in another order are given back to their points") {
   REQUIRE(one.size() == 1);
   CHECK(one[0]["wrongPairs"] == OrderedJson{1});
   CHECK(one[0]["pairs"] == "give each line the pixel of the line before it");
+}
+
+TEST_CASE("Normalized image coordinates have neither focal lengths nor a lens") {
+  for (unsigned trial = 0; trial < 4; ++trial) {
+    Random random(trial);
+    const Json given = documentOf(random, trial % 2 ? bent : vision);
+    Json plane = given;
+    plane["projection"].update({{"fx", 1}, {"fy", 1}, {"cx", 0}, {"cy", 0}});
+    plane.erase("distortion");
+    std::vector<Pair> pairs;
+    for (const Vec3& p : pointsOf(random, cameraOf(given), 6)) {
+      const ScreenPoint at = worldToScreen(cameraOf(plane), p);
+      pairs.push_back({{p.x, p.y, p.z, 1}, {at.x, trial < 2 ? at.y : -at.y}});
+    }
+    const std::vector<Explanation> found = explain(fileOf(given), pairs, 0.1);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].hypothesis.mistake == "image-coordinates");
+    CHECK(found[0].largest < 1e-6);
+  }
+}
+
+TEST_CASE("A line is wrong where it misses by several times what the others do, not where it exceeds the tolerance") {
+  int disagreed = 0;
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    Random random(trial);
+    const CameraFile file = fileOf(documentOf(random, look));
+    const Camera camera = makeCamera(file);
+    PairReport noisy(file, 0.6), wrong(file, 0.6);
+    std::size_t line = 0;
+    for (const Vec3& p : pointsOf(random, camera, 4 + static_cast<int>(trial % 9))) {
+      const ScreenPoint at = worldToScreen(camera, p);
+      const Vec2 near{at.x + random.uniform(-0.5, 0.5), at.y + random.uniform(-0.5, 0.5)};
+      noisy.add({p.x, p.y, p.z, 1}, near, ++line);
+      wrong.add({p.x, p.y, p.z, 1}, line == 3 ? Vec2{near.x + 8, near.y} : near, line);
+    }
+    const OrderedJson report = noisy.report();
+    CAPTURE(trial, report.dump());
+    disagreed += report["agrees"] == false;
+    CHECK(report["wrongPairs"].empty());
+    CHECK(report["explanations"].empty());
+    CHECK(wrong.report()["wrongPairs"] == OrderedJson{3});
+  }
+  CHECK(disagreed > 20);
 }
 
 TEST_CASE("A report counts every pair, tells the misses, and names wrong pairs before the camera") {

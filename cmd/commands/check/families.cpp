@@ -25,8 +25,8 @@ enum class By : std::uint8_t {
   k1, k2, p1, p2  // the lens
 };
 
-/// value: its numbers. f g: factors of the focal lengths; x y: pixels; d: degrees; X Y Z U: the eye's way, and up; u: the
-/// factor of its distance from the origin; k l p q: the lens.
+/// value: its numbers. f g: factors of the focal lengths; x y: pixels; a b: what the pixel 0, 0 becomes; d: degrees;
+/// X Y Z U: the eye's way, and up; u: the factor of its distance from the origin; k l p q: the lens.
 struct Family {
   const char* mistake;
   std::vector<By> by;
@@ -41,7 +41,7 @@ const std::vector<Family>& familiesOf(Table table) {
       {"roll", {r}, "d"}, {"height", {up}, "U"}, {"unit", {u}, "u"}, {"lens", {k1}, "k"},
       {"focal-lengths", {fx, fy}, "fg"}, {"resized", {sx, sy}, "fg"}, {"principal-point", {cx, cy}, "xy"},
       {"lens", {k1, k2}, "kl"}, {"rotation", {rx, ry, rz}, "d"}, {"eye", {X, Y, Z}, "XYZ"},
-      {"scale-and-offset", {f, cx, cy}, "fxy"}, {"scales-and-offset", {fx, fy, cx, cy}, "fgxy"},
+      {"scale-and-offset", {f, cx, cy}, "fab"}, {"scales-and-offset", {fx, fy, cx, cy}, "fgab"},
       {"lens", {k1, k2, p1, p2}, "klpq"}, {"rotation", {wx}, "d"}, {"rotation", {wy}, "d"}, {"rotation", {wz}, "d"},
       {"eye", {X}, "XYZ"}, {"eye", {Y}, "XYZ"}, {"eye", {Z}, "XYZ"}};
   static const std::vector<Family> kPoses = {
@@ -281,6 +281,8 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
                                              {'g', to.focal.y / from.focal.y},
                                              {'x', to.centre.x - from.centre.x},
                                              {'y', to.centre.y - from.centre.y},
+                                             {'a', to.centre.x - to.focal.x / from.focal.x * from.centre.x},
+                                             {'b', to.centre.y - to.focal.y / from.focal.y * from.centre.y},
                                              {'d', degrees},
                                              {'X', way.x},
                                              {'Y', way.y},

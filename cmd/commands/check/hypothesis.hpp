@@ -55,6 +55,7 @@ struct Hypothesis {
   double scale = 1;        ///< of the area of the picture, where camera is of a smaller or larger one
   bool isResized = false;  ///< about its corner
   int parameters = 0;
+  bool isRead = false;     ///< its value, from a family's number
   std::string words = "";  ///< what else is done to the pairs
 
   /// The mended point and pixel of given ones.
@@ -113,6 +114,8 @@ class Trials {
 void addWindowRows(Trials& trials);
 void addPoseRows(Trials& trials);
 void addPixelRows(Trials& trials);
+/// Of a family with one number, read as a field that is a ratio of small numbers.
+void addRatioRows(Trials& trials, const Hypothesis& fitted);
 /// All of them.
 std::vector<Hypothesis> rowsOf(const CameraFile& file);
 /// Signed permutations of three axes, each with its name, as in "-y,-z,x".

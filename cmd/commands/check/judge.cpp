@@ -91,6 +91,16 @@ int parametersOf(const Explanation& e) {
   return e.hypothesis.parameters + (e.hypothesis.mistake.find(" + ") != std::string::npos ? 1 : 0);
 }
 
+/// 0: a --set by itself, or the points; 1: a pose, of which fields are made; 2: the pixels are changed.
+int detourOf(const Hypothesis& h) {
+  return h.movesPixels() ? 2 : h.sets.empty() && h.points == kUnit && h.places == PlaceMap::none ? 1 : 0;
+}
+
+/// Whether it is told without evidence: a row that has long been known, and leaves no more than the tolerance.
+bool bringsWithin(const Explanation& e, double within) {
+  return e.stage == Stage::rows && !e.hypothesis.isRead && e.largest <= within && isLongKnown(e.hypothesis.mistake);
+}
+
 /// By how much less evidence it may stand in place of the best: if it is simpler.
 double allowanceOf(const Explanation& e, const Explanation& best, double within) {
   const bool isOneOfTwo = best.stage >= Stage::rest && e.stage <= Stage::families;
@@ -98,6 +108,7 @@ double allowanceOf(const Explanation& e, const Explanation& best, double within)
   if (more > 0 || e.stage > best.stage) return -HUGE_VAL;
   if (isOneOfTwo && growthOf(e.hypothesis) * e.largest <= within) return HUGE_VAL;
   if (more < 0 && best.rms <= kFloor && e.rms <= kFloor) return HUGE_VAL;
+  if (isSame(e, best, true)) return HUGE_VAL;
   return isOneOfTwo ? 7 : more < 0 ? kAsGood : 1;
 }
 
@@ -108,22 +119,29 @@ std::vector<Explanation> listed(std::vector<Explanation> found, double within, b
   std::stable_sort(found.begin(), found.end(),
                    [](const Explanation& a, const Explanation& b) { return weighted(a) > weighted(b); });
   const auto rank = [](const Explanation& e) {
-    return std::tuple(parametersOf(e), e.stage, placeOf(e.hypothesis.mistake));
+    return std::tuple(parametersOf(e), e.stage, detourOf(e.hypothesis), placeOf(e.hypothesis.mistake));
   };
   auto best = found.begin();
   for (auto e = found.begin(); e != found.end(); ++e)
     if (weighted(*e) > weighted(found[0]) - allowanceOf(*e, found[0], within) && rank(*e) < rank(*best)) best = e;
   std::rotate(found.begin(), best, best + 1);
   std::vector<Explanation> out;
+  std::set<std::string> hidden;  // mistakes of which the best form leaves the same under another name
   int fewest = parametersOf(found[0]);
   for (Explanation& e : found) {
     const int parameters = parametersOf(e);
-    const bool isOld = isLongKnown(e.hypothesis.mistake),
-               isRow = isOld && e.stage == Stage::rows && e.largest <= within;
-    const bool isToldAlready = std::any_of(out.begin(), out.end(), [&](const Explanation& o) {
-      return parameters >= parametersOf(o) &&
-             (o.hypothesis.mistake == e.hypothesis.mistake || (!isOld && !keepsSame && isSame(e, o, true)));
-    });
+    const bool isOld = isLongKnown(e.hypothesis.mistake), isRow = bringsWithin(e, within);
+    const std::string& mistake = e.hypothesis.mistake;
+    const auto tells = [&](const auto& isAlike) {
+      return std::any_of(out.begin(), out.end(),
+                         [&](const Explanation& o) { return parameters >= parametersOf(o) && isAlike(o); });
+    };
+    if (!keepsSame && tells([&](const Explanation& o) {
+          return (!isOld || detourOf(e.hypothesis) > detourOf(o.hypothesis)) && isSame(e, o, true);
+        }))
+      hidden.insert(mistake);
+    const bool isToldAlready =
+        hidden.contains(mistake) || tells([&](const Explanation& o) { return o.hypothesis.mistake == mistake; });
     const auto isAsGood = [&] {
       const bool isOfTwo = e.stage > Stage::families && out[0].stage <= Stage::families;
       return parameters <= fewest && weighted(e) >= weighted(out[0]) + (isOfTwo ? 3 : -kAsGood);
@@ -160,7 +178,12 @@ class Search {
       return [this, table](const Hypothesis& first) { return families(fitOf(first), table); };
     };
     seek(rows_, Stage::rows);
-    seek(families(fitOf(nothing_), Table::simple), Stage::families);
+    const std::vector<Hypothesis> simple = families(fitOf(nothing_), Table::simple);
+    seek(simple, Stage::families);
+    for (const Hypothesis& h : simple) addRatioRows(trials_, h);
+    std::vector<Hypothesis> ratios = trials_.take();
+    for (Hypothesis& h : ratios) h.isRead = true;
+    seek(ratios, Stage::rows, static_cast<double>(rows_.size()));
     seekAmongNoise();
     const std::vector<Hypothesis> seconds = inTwos(bestRows(), [&](const Hypothesis& first) {
       std::vector<Hypothesis> all = families(fitOf(first), Table::simple);
@@ -174,6 +197,8 @@ class Search {
     seek(seconds, Stage::rest, 60 * static_cast<double>(seconds.size()));
     std::vector<Hypothesis> turned = turnedPixels(rows_);
     if (!isExplained()) {
+      const std::vector<Explanation> order = pixelOrder();
+      if (!order.empty() && order[0].wrong.empty()) return order;
       seek(twoRows(), Stage::two);
       std::vector<Hypothesis> firsts =
           someOf(rows_, [](const Hypothesis& h) { return isIn(h, {"distortion-ignored"}); });
@@ -211,17 +236,8 @@ class Search {
         const double distance = length(miss);
         distances.push_back(std::isnan(distance) ? HUGE_VAL : distance);
       }
-      const auto rootMean = [](double squares, std::size_t count) {
-        return std::sqrt(squares / static_cast<double>(count));
-      };
-      double limit = HUGE_VAL, squares = 0;
-      if (wrong > 0) {
-        std::vector<double> sorted = distances;
-        std::sort(sorted.begin(), sorted.end());
-        const double best =
-            std::inner_product(sorted.begin(), sorted.end() - static_cast<std::ptrdiff_t>(wrong), sorted.begin(), 0.0);
-        limit = std::max(within_, 4 * std::max(rootMean(best, n - wrong), kFloor));
-      }
+      const double limit = wrong > 0 ? wrongFrom(distances, wrong, within_) : HUGE_VAL;
+      double squares = 0;
       std::vector<std::size_t> right;
       for (std::size_t i = 0; i < n; ++i) {
         if (!(distances[i] <= limit)) {
@@ -233,15 +249,25 @@ class Search {
         e.largest = std::max(e.largest, distances[i]);
       }
       if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
-      e.rms = rootMean(squares, 2 * right.size());
+      e.rms = std::sqrt(squares / static_cast<double>(2 * right.size()));
+      if (isLeftOut(e)) continue;
       double choices = 0;  // logarithm of the ways to choose the wrong ones
       for (std::size_t i = 1; i <= e.wrong.size(); ++i)
         choices += std::log(static_cast<double>(right.size() + i) / static_cast<double>(i));
       e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
-      const bool isRow = stage == Stage::rows && e.largest <= within_ && isLongKnown(e.hypothesis.mistake);
-      if (e.evidence > kThreshold || isRow) found.push_back(std::move(e));
+      if (e.evidence > kThreshold || bringsWithin(e, within_)) found.push_back(std::move(e));
     }
     return found;
+  }
+
+  /// Whether it has a unit so small or large that only the eye's distance from the origin vanishes.
+  bool isLeftOut(const Explanation& e) const {
+    if (!e.hypothesis.mistake.ends_with("unit")) return false;
+    Hypothesis without = e.hypothesis;
+    without.camera.eye = {};
+    std::vector<Vec2> differences = missesOf(without, pairs_);
+    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = differences[i] - e.misses[i];
+    return rmsOf(differences) <= std::max(e.rms, kFloor);
   }
 
   /// Of what the pairs that it is of miss by before, and the rms that it leaves.
@@ -403,8 +429,8 @@ class Search {
     if (n > kMost) return {};
     Explanation e{.hypothesis = nothing_};
     e.hypothesis.mistake = "pixel-order";
-    std::vector<std::string> others;         // that have the pixel of another line
-    std::set<std::ptrdiff_t> taken, places;  // and how many places further down it is
+    std::vector<std::string> others;               // that have the pixel of another line
+    std::set<std::ptrdiff_t> taken, places, sums;  // how many places further down it is, and both places together
     double squares = 0;
     for (const Pair& pair : pairs_) {
       const Vec2 at = pixelOf(trials_.plain(), pair.point);
@@ -419,6 +445,7 @@ class Search {
       squares += miss * miss;
       e.largest = std::max(e.largest, miss);
       places.insert(&*near - &pair);
+      sums.insert((near - pairs_.begin()) + (&pair - pairs_.data()));
       if (near->line != pair.line)
         others.push_back("line " + std::to_string(pair.line) + " the pixel of line " + std::to_string(near->line));
     }
@@ -429,6 +456,11 @@ class Search {
       const std::ptrdiff_t down = *places.begin(), far = std::abs(down);
       words = "give each line the pixel of the line " + (far == 1 ? "" : std::to_string(far) + " lines ") +
               (down > 0 ? "after it" : "before it");
+      return {e};
+    }
+    if (sums.size() == 1 && e.wrong.empty() && n > 2) {
+      e.hypothesis.value = "reversed";
+      words = "reverse the order of the pixels";
       return {e};
     }
     for (std::size_t i = 0; i < std::min(others.size(), kShown); ++i) words += (i == 0 ? "give " : ", ") + others[i];
@@ -447,8 +479,18 @@ class Search {
 
 }  // namespace
 
+double wrongFrom(std::vector<double> distances, std::size_t wrong, double within) {
+  std::sort(distances.begin(), distances.end());
+  distances.resize(distances.size() - wrong);
+  const double squares = std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0);
+  return std::max(within, 4 * std::max(std::sqrt(squares / static_cast<double>(distances.size())), kFloor));
+}
+
 bool isSame(const Explanation& a, const Explanation& b, bool anySign) {
+  const double sizeOfA = std::sqrt(a.hypothesis.pixels.size()), sizeOfB = std::sqrt(b.hypothesis.pixels.size());
   const auto isLike = [&](double x, double y) {
+    x /= sizeOfA;
+    y /= sizeOfB;
     return std::fabs(anySign ? std::fabs(x) - std::fabs(y) : x - y) < 1e-6;
   };
   return std::equal(a.misses.begin(), a.misses.end(), b.misses.begin(),

@@ -26,7 +26,11 @@ struct Explanation {
 std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within,
                                  bool keepsSame = false);
 
-/// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
+/// The miss from which on a pair is wrong, where so many may be: the tolerance, and four times the rms of the others.
+double wrongFrom(std::vector<double> distances, std::size_t wrong, double within);
+
+/// Whether they leave the same misses of the given pixels; with either sign, where one of them moves the pixels and one
+/// the camera.
 bool isSame(const Explanation& a, const Explanation& b, bool anySign);
 
 /// The explanation of another camera's pairs for this camera: its rows of that mistake, or the same numbers added.

@@ -9,9 +9,9 @@ void addPixelRows(Trials& t) {
   const double w = last.x - x0, h = last.y - y0, xs = x0 + last.x, ys = y0 + last.y, cx = t.plain().centre.x;
   t.pixels("y-flipped", {1, 0, 0, 0, -1, ys});
   for (const double one : {-1.0, 1.0}) t.pixels("y-flipped-index", {1, 0, 0, 0, -1, ys + one});
-  t.pixels("x-mirrored", {-1, 0, xs, 0, 1, 0});
-  if (2 * cx != xs) t.pixels("x-mirrored", {-1, 0, 2 * cx, 0, 1, 0});
-  for (const double one : {-1.0, 1.0}) t.pixels("x-mirrored", {-1, 0, xs + one, 0, 1, 0});
+  t.pixels("x-mirrored", {-1, 0, xs, 0, 1, 0}, "pixels");
+  if (2 * cx != xs) t.pixels("x-mirrored", {-1, 0, 2 * cx, 0, 1, 0}, "pixels");
+  for (const double one : {-1.0, 1.0}) t.pixels("x-mirrored", {-1, 0, xs + one, 0, 1, 0}, "pixels");
   for (const double half : {-0.5, 0.5}) t.pixels("pixel-centre", {1, 0, half, 0, 1, half});
   for (const double ratio : {1.25, 1.5, 2.0, 3.0, 1 / 1.25, 1 / 1.5, 0.5, 1 / 3.0}) {
     t.pixels("pixel-ratio", {1 / ratio, 0, 0, 0, 1 / ratio, 0}, ratio);
@@ -26,6 +26,18 @@ void addPixelRows(Trials& t) {
         const double top = down > 0 ? y0 + inset : last.y - inset;
         t.pixels(low == 0 ? "normalized" : "ndc", {sx, 0, x0 + inset - sx * low, 0, sy, top - sy * low});
       }
+  // As if both focal lengths were 1, without a lens, y downwards or upwards.
+  PlainCamera pinhole = t.plain();
+  pinhole.lens = std::nullopt;
+  pinhole.lensOfFile = std::nullopt;
+  const std::vector<Set> sets = t.has("distortion") ? std::vector<Set>{{"distortion", nullptr}} : std::vector<Set>{};
+  const auto [fx, fy] = pinhole.focal;
+  for (const double down : {fy, -fy})
+    if (!pinhole.isOrthographic)
+      t.add({.mistake = "image-coordinates",
+             .camera = pinhole,
+             .sets = sets,
+             .pixels = {fx, 0, cx, 0, down, pinhole.centre.y}});
   // Of a picture with these sides, or with them exchanged; as positions or as indices.
   for (const double one : {0.0, -1.0, 1.0}) {
     t.pixels("picture-turned", {-1, 0, xs + one, 0, -1, ys + one}, 180);

@@ -10,6 +10,8 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
+constexpr double kNoTurn = 1e-9;  // radians
+
 /// What was written as one field is read as another.
 void readAsOther(Trials& t) {
   const auto array = [&](std::string_view path) {
@@ -18,14 +20,16 @@ void readAsOther(Trials& t) {
   };
   for (const auto& [path, other] :
        {std::pair("worldFromCamera", "cameraFromWorld"), {"cameraFromWorld", "worldFromCamera"}})
-    if (const Json* const pose = t.find(path)) t.change("pose-inverted", {{path, nullptr}, {other, *pose}});
+    if (const Json* const pose = t.find(path)) t.change("pose-inverted", {{path, nullptr}, {other, *pose}}, other);
   const Json *const rotation = array("rotation"), *const position = array("position"), *const target = array("target");
   if (rotation && position)
-    t.change("pose-inverted", {{"position", nullptr},
-                               {"rotation", nullptr},
-                               {"cameraFromWorld", {{"rotation", *rotation}, {"translation", *position}}}});
+    t.change("pose-inverted",
+             {{"position", nullptr},
+              {"rotation", nullptr},
+              {"cameraFromWorld", {{"rotation", *rotation}, {"translation", *position}}}},
+             "cameraFromWorld");
   for (const auto& [path, other] : {std::pair("target", "direction"), {"direction", "target"}})
-    if (const Json* const value = array(path)) t.change("direction-as-target", {{other, *value}});
+    if (const Json* const value = array(path)) t.change("direction-as-target", {{other, *value}}, other);
   if (target && position) t.change("eye-target-exchanged", {{"position", *target}, {"target", *position}});
   for (const char* const path : {"rotation", "worldFromCamera.rotation", "cameraFromWorld.rotation"})
     if (const Json* const given = array(path); given && given->size() == 4 && (*given)[0].is_number()) {
@@ -35,12 +39,13 @@ void readAsOther(Trials& t) {
     }
   if (t.has("target") || t.has("direction"))
     for (const Json& up : {Json{0, 1, 0}, Json{0, 0, 1}})
-      if (const Json* const own = t.find("up"); !own || *own != up) t.change("up-axis", {{"up", up}});
+      if (const Json* const own = t.find("up"); !own || *own != up)
+        t.change("up-axis", {{"up", up}}, up[1] == 1 ? "up y" : "up z");
   for (const char* const path : {"worldFromCamera.rotationVector", "cameraFromWorld.rotationVector"})
     if (const Json* const vector = array(path)) {
       std::array<double, 3> radians{};
       for (std::size_t i = 0; i < 3; ++i) radians[i] = (*vector)[i].get<double>() * std::numbers::pi / 180;
-      t.change("radians", {{path, radians}});
+      t.change("radians", {{path, radians}}, "degrees");
     }
   const bool isRight = t.file().convention.world == Handedness::right;
   t.change("x-mirrored", {{"convention.world", isRight ? "left" : "right"}});
@@ -61,7 +66,7 @@ void turnEuler(Trials& t) {
     inRadians[i] = angle.dump() + "rad";
     angles[i] = angle;
   }
-  t.change("radians", {{"euler.degrees", inRadians}});
+  t.change("radians", {{"euler.degrees", inRadians}}, "radians");
   for (std::size_t i = 0; i < 3; ++i) aboutAxes[own.axis[i]] = own.sign[i] * angles[own.listed[i]];
   for (const auto& [name, other] : kEulerOrders) {
     std::array<double, 3> sameTurns{};
@@ -90,7 +95,7 @@ void turnOnEarth(Trials& t) {
     if (const Json* const angle = t.find(name); angle && angle->is_number())
       inRadians.emplace_back(name, angle->dump() + "rad");
   if (inRadians.empty()) return;
-  t.change("radians", inRadians);
+  t.change("radians", inRadians, "radians");
   const double h = t.degreesOr("heading", 0), p = t.degreesOr("pitch", 0), r = t.degreesOr("roll", 0);
   for (const double v : {-h, 90 - h, h + 90, h - 90, h + 180, 180 - h})
     t.change("heading-convention", {{"heading", v}}, v);
@@ -120,19 +125,34 @@ void readPoseAsOther(Trials& t) {
   const Rows own = axes * back;  // a signed permutation
   const Vec3 view = scaled(rotation * eye, -1), away = scaled(eye, -1);
   const bool isProper = determinant(rotation) > 0;
+  const bool isView = t.has("cameraFromWorld");
   if (length(eye) > 0) {
-    for (const Vec3& to : {view, scaled(view, -1), back * eye, back * away})
-      t.pose("translation-as-position", axes, to);
+    t.pose("translation-as-position", axes, view, isView ? Json("position") : Json());
+    t.pose("translation-as-position", axes, back * away, isView ? Json() : Json("translation"));
+    for (const Vec3& to : {scaled(view, -1), back * eye}) t.pose("translation-as-position", axes, to);
     t.pose("position-sign", axes, away);
     t.pose("translation-left-out", axes, none);
-    if (isProper)
-      for (const Vec3& to : {eye, away, view, scaled(view, -1), scaled(rotation * view, -1), none})
-        t.pose("pose-inverted", own * back, to);
+    if (isProper) t.pose("pose-inverted", own * back, view);
+    if (isProper && angleOf(rotation * rotation) > kNoTurn) {  // else it is its own inverse
+      for (const Vec3& to : {eye, scaled(rotation * view, -1)}) t.pose("pose-inverted", own * back, to, "rotation");
+      for (const Vec3& to : {away, scaled(view, -1), none}) t.pose("pose-inverted", own * back, to);
+    }
     t.pose("pose-twice", axes * rotation, sum(eye, 1, back * eye));
     t.pose("pose-twice", axes, scaled(eye, 2));
   }
-  if (isProper && angleOf(rotation) > 1e-9)
-    for (const Vec3& to : {eye, none}) t.pose("pose-left-out", own, to);
+  const double angle = isProper ? angleOf(rotation) : 0;
+  if (!(angle > kNoTurn)) return;
+  for (const Vec3& to : {eye, none}) t.pose("pose-left-out", own, to);
+  if (!(std::sin(angle) > kNoTurn)) return;
+  const Vec3 vector = scaled(skewOf(rotation), angle / (2 * std::sin(angle)));
+  for (const double unit : {1.0, std::numbers::pi / 180}) {
+    const Vec3 v = scaled(vector, unit);
+    const Rows x = turn({v.x, 0, 0}), y = turn({0, v.y, 0}), z = turn({0, 0, v.z});
+    for (const Rows& turned : {z * y * x, x * y * z}) {  // each is of the inverse in the other order, too
+      t.pose("rotation-vector", own * turned, transposed(turned) * scaled(view, -1));
+      t.pose("rotation-vector", own * turned, eye);
+    }
+  }
 }
 
 void changeUnits(Trials& t) {
@@ -150,11 +170,17 @@ void turnAxes(Trials& t) {
     if (rows == kUnit) continue;
     const bool isUp = name == "x,z,-y" || name == "x,-z,y" || name == "x,z,y";
     const bool isMirror = name == "-x,y,z" || name == "x,-y,z" || name == "x,y,-z";
-    t.points(isUp ? "up-axis" : isMirror ? "x-mirrored" : "point-axes", rows, isUp || isMirror ? Json() : Json(name));
+    const Vec3 up = t.up(), upOfPoints = transposed(rows) * up;
+    const Json value = !isUp                            ? (isMirror ? Json() : Json(name))
+                       : name == "x,z,y"                ? Json("exchanged")
+                       : up.y == 1 && upOfPoints.z == 1 ? Json("z for y")
+                       : up.z == 1 && upOfPoints.y == 1 ? Json("y for z")
+                                                        : Json();
+    t.points(isUp ? "up-axis" : isMirror ? "x-mirrored" : "point-axes", rows, value);
     if (determinant(rows) > 0) t.pose("camera-axes", rows * own.axes, own.eye, name);
   }
   if (t.has("target") || t.has("direction"))
-    t.pose("up-axis", {scaled(own.axes[0], -1), scaled(own.axes[1], -1), own.axes[2]}, own.eye);
+    t.pose("up-axis", {scaled(own.axes[0], -1), scaled(own.axes[1], -1), own.axes[2]}, own.eye, "down");
 }
 
 }  // namespace

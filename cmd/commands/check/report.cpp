@@ -114,13 +114,27 @@ struct CheckedCamera {
     return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
   }
 
-  /// The lines of the pairs that alone disagree: at most a quarter, of four or more. Else none.
-  std::vector<std::size_t> wrongLines() const {
-    std::vector<std::size_t> wrong;
-    for (const Pair& pair : pairs)
-      if (!(length(pair.miss) <= within)) wrong.push_back(pair.line);
-    const bool areFew = pairs.size() >= 4 && wrong.size() <= std::max<std::size_t>(1, pairs.size() / 4);
-    return areFew ? wrong : std::vector<std::size_t>{};
+  /// Whether the others agree but for noise; the lines of those, at most a quarter, that miss by several times more.
+  struct Wrong {
+    bool othersAgree = false;
+    std::vector<std::size_t> lines = {};
+  };
+  Wrong wrong() const {
+    const std::size_t quarter = std::max<std::size_t>(1, pairs.size() / 4);
+    if (pairs.size() < 4) return {};
+    std::vector<double> distances;
+    for (const Pair& pair : pairs) distances.push_back(std::isnan(length(pair.miss)) ? HUGE_VAL : length(pair.miss));
+    const double limit = wrongFrom(distances, quarter, within);
+    Wrong found;
+    double squares = 0;  // of the others
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (distances[i] > limit)
+        found.lines.push_back(pairs[i].line);
+      else
+        squares += distances[i] * distances[i];
+    const auto others = static_cast<double>(pairs.size() - found.lines.size());
+    found.othersAgree = found.lines.size() <= quarter && std::sqrt(squares / others) <= within;
+    return found.othersAgree ? found : Wrong{};
   }
 
   /// In which mistakes are sought.
@@ -170,16 +184,30 @@ void PairReport::add(const Vec4& point, const std::optional<Vec2>& pixel, std::s
 
 std::size_t PairReport::records() const { return all_->records; }
 
-OrderedJson PairReport::explanations(const CheckedCamera& of) const {
+OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& others) const {
   const std::vector<Pair> judged = of.pairsWithPixel();
-  std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_);
+  std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_), ofOthers;
+  // A mistake without a number is simpler than another camera.
+  if (others && (found.empty() || found[0].hypothesis.parameters > 0 || found[0].largest > within_))
+    for (const auto& [pick, file] : others()) {
+      const auto camera = plainWith(file, {}, false);
+      if (!camera) continue;
+      Explanation e{.hypothesis = {.mistake = "camera-of-file", .value = pick, .camera = *camera}};
+      e.misses = missesOf(e.hypothesis, judged);
+      if (!areWithin(e.misses, within_)) continue;
+      e.rms = std::sqrt(squaresOf(e.misses) / static_cast<double>(2 * judged.size()));
+      for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
+      ofOthers.push_back(std::move(e));
+    }
+  const bool isOfOther = !ofOthers.empty();  // it is picked, and no field is mended
+  if (isOfOther) found = std::move(ofOthers);
   struct Told {
     Mend mend;
     Left anew = {}, asItIs = {};  ///< made for each camera, or one mend for all
     bool isHarmless = true;       ///< all cameras that agree do so with the mend
   };
   std::vector<Told> told;
-  for (const Explanation& e : found) told.push_back({mendOf(*of.file, e, judged)});
+  for (const Explanation& e : found) told.push_back({isOfOther ? Mend{} : mendOf(*of.file, e, judged)});
   for (const auto& [place, camera] : cameras_) {
     if (!isSet_) break;
     const std::vector<Hypothesis> rows = rowsOf(*camera->file);
@@ -236,10 +264,10 @@ OrderedJson PairReport::explanations(const CheckedCamera& of) const {
   return list;
 }
 
-OrderedJson PairReport::report() const {
+OrderedJson PairReport::report(const Others& others) const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<const CheckedCamera*> open;  // that disagree, by more than a few wrong pairs
+  std::vector<const CheckedCamera*> open, noisy;  // that disagree: by more than a few pairs, or by noise
   std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairsWithPixel().size();
   bool agrees = true;
   for (const auto& [place, camera] : cameras_) {
@@ -249,20 +277,21 @@ OrderedJson PairReport::report() const {
     cameras.push_back(std::move(row));
     if (camera->agrees()) continue;
     agrees = false;
-    const std::vector<std::size_t> lines = camera->wrongLines();
+    const auto [othersAgree, lines] = camera->wrong();
     wrong.insert(wrong.end(), lines.begin(), lines.end());
     const std::vector<Pair> pairs = camera->pairsWithPixel();
     const bool agree =
         std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
-    if (lines.empty() && !agree) open.push_back(camera.get());
+    if (lines.empty() && !agree) (othersAgree ? noisy : open).push_back(camera.get());
   }
+  if (open.empty()) open = noisy;
   std::sort(wrong.begin(), wrong.end());
   std::stable_sort(open.begin(), open.end(), [](const auto* a, const auto* b) { return a->rms() < b->rms(); });
   if (!open.empty()) {  // sought for the one in the middle, and tried on all
     const CheckedCamera& middle = *open[open.size() / 2];
     judged = middle.pairsWithPixel().size();
     wrong.clear();
-    list = explanations(middle);
+    list = explanations(middle, others);
   }
   const bool isFound = agrees || !list.empty() || !wrong.empty();
   OrderedJson report{{"agrees", agrees}, {"records", all_->records}, {"noPixel", noPixel}, {"within", within_}};

@@ -26,13 +26,16 @@ class PairReport {
   void add(const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line, std::size_t camera = 0,
            const std::function<std::pair<std::string, CameraFile>()>& read = nullptr);
 
+  /// The other cameras of the file, each with what picks it.
+  using Others = std::function<std::vector<std::pair<std::string, CameraFile>>()>;
+
   std::size_t records() const;
   /// Every member is always there; what has no value is null. Its size, and that of what is kept, does not grow with
-  /// the pairs.
-  OrderedJson report() const;
+  /// the pairs. others: of one camera, asked for where the pairs disagree.
+  OrderedJson report(const Others& others = nullptr) const;
 
  private:
-  OrderedJson explanations(const CheckedCamera& of) const;
+  OrderedJson explanations(const CheckedCamera& of, const Others& others) const;
 
   double within_;
   bool isSet_;

@@ -40,6 +40,21 @@ void changePicture(Trials& t) {
   }
 }
 
+/// fx, fy, cx and cy are of a picture of this size; cx and cy grow with it from its corner, or from 0.
+void ofSize(Trials& t, double width, double height) {
+  const Vec2 own = pictureOf(t);
+  if (!(width > 0 && height > 0) || (width == own.x && height == own.y && !t.has("projection.pixels"))) return;
+  const Json size{static_cast<std::int64_t>(width), static_cast<std::int64_t>(height)};
+  const double half = t.viewport().pixelCenter - 0.5;
+  t.change("picture-size", {{"projection.pixels", size}}, size);
+  if (half != 0)
+    t.change("picture-size",
+             {{"projection.pixels", size},
+              {"projection.cx", t.numberOr("projection.cx", 0) + half * (1 - width / own.x)},
+              {"projection.cy", t.numberOr("projection.cy", 0) + half * (1 - height / own.y)}},
+             size);
+}
+
 void changeIntrinsics(Trials& t) {
   const auto number = [&](const char* name) { return t.numberOr(std::string("projection.") + name, 0); };
   const double fx = number("fx"), fy = number("fy"), cx = number("cx"), cy = number("cy");
@@ -51,10 +66,7 @@ void changeIntrinsics(Trials& t) {
     if (!sets.empty()) t.change(mistake, sets, std::move(value));
   };
   const auto [w, h] = calibratedPictureOf(t);
-  const double width = std::round(2 * (cx - half)), height = std::round(2 * (cy - half));
-  const Json size{static_cast<std::int64_t>(width), static_cast<std::int64_t>(height)};
-  if (width > 0 && height > 0 && (width != w || height != h || t.has("projection.pixels")))
-    t.change("picture-size", {{"projection.pixels", size}}, size);
+  for (const double off : {half, 0.0}) ofSize(t, std::round(2 * (cx - off)), std::round(2 * (cy - off)));
   set("fx-fy-exchanged", fy, fx, cx, cy);
   for (const double one : {fx, fy}) set("fx-fy-exchanged", one, one, cx, cy);
   set("intrinsics-order", fx, cx, fy, cy);
@@ -72,6 +84,27 @@ void changeIntrinsics(Trials& t) {
   set("size-exchanged", fy, fx, cy, cx);
 }
 
+using Fraction = std::pair<int, int>;
+
+/// Of small numbers, within 0.3 %; 0 if there is none.
+Fraction fractionOf(double ratio) {
+  for (int by = 1; by <= 10; ++by)
+    if (const double of = std::round(ratio * by); std::fabs(of / (ratio * by) - 1) < 3e-3)
+      return {static_cast<int>(of), by};
+  return {};
+}
+
+/// "4/3", or a whole number.
+Json shownFraction(const Fraction& f) {
+  return f.second == 1 ? Json(f.first) : Json(std::to_string(f.first) + "/" + std::to_string(f.second));
+}
+
+/// "4/3", or the number.
+Json shownRatio(double ratio) {
+  const Fraction f = fractionOf(ratio);
+  return f.first > 0 && std::fabs(f.first / (ratio * f.second) - 1) < 1e-9 ? shownFraction(f) : Json(ratio);
+}
+
 /// "60" and "60deg" in radians, "1.05rad" in degrees.
 std::string inOtherUnit(const Json& angle) {
   std::string text = angle.is_string() ? angle.get<std::string>() : angle.dump();
@@ -86,17 +119,20 @@ void changeAngle(Trials& t) {
     if (!angle) continue;
     for (const char* const other : kAngles)
       if (path != other) t.change("fov-axis", {{other, *angle}});
-    t.change("radians", {{path, inOtherUnit(*angle)}});
+    const std::string other = inOtherUnit(*angle);
+    t.change("radians", {{path, other}}, other.ends_with("rad") ? "radians" : "degrees");
     const double degrees = t.degreesOr(path, 0);
-    for (const double times : {2.0, 0.5}) t.change("half-angle", {{path, degrees * times}});
+    for (const double times : {2.0, 0.5})
+      t.change("half-angle", {{path, degrees * times}}, times > 1 ? "half" : "twice");
     // Who made the pixels has used as many radians as there are degrees.
     const double ratio = std::tan(degrees / 2) / std::tan(degrees * std::numbers::pi / 360);
     const auto [cx, cy] = t.plain().centre;
-    if (std::fabs(ratio) > 1e-9) t.pixels("radians", {ratio, 0, cx - ratio * cx, 0, ratio, cy - ratio * cy});
+    if (std::fabs(ratio) > 1e-9) t.pixels("radians", {ratio, 0, cx - ratio * cx, 0, ratio, cy - ratio * cy}, "pixels");
   }
-  if (t.has("projection.aspect")) t.change("aspect", {{"projection.aspect", nullptr}});
-  for (const double aspect : {1.0, 1 / t.projection().aspect()})
-    t.change("aspect", {{"projection.aspect", aspect}}, nullptr, true);
+  if (t.has("projection.aspect"))
+    t.change("aspect", {{"projection.aspect", nullptr}}, shownRatio(t.viewport().width / t.viewport().height));
+  for (const Json& aspect : {Json(1), shownRatio(1 / t.projection().aspect())})
+    t.change("aspect", {{"projection.aspect", aspect}}, aspect, true);
 }
 
 void changeSensor(Trials& t) {
@@ -113,9 +149,11 @@ void changeSensor(Trials& t) {
 
 void changeLens(Trials& t) {
   const Json* const given = t.find("distortion");
-  const auto become = [&](const char* mistake, Json lens) { t.change(mistake, {{"distortion", std::move(lens)}}); };
+  const auto become = [&](const char* mistake, Json lens, Json value = nullptr) {
+    t.change(mistake, {{"distortion", std::move(lens)}}, std::move(value));
+  };
   if (!given) {
-    if (!t.plain().isOrthographic) become("fisheye-for-brown", {{"model", "fisheye"}});
+    if (!t.plain().isOrthographic) become("fisheye-for-brown", {{"model", "fisheye"}}, "equidistant");
     return;
   }
   become("distortion-ignored", nullptr);
@@ -137,7 +175,7 @@ void changeLens(Trials& t) {
   const auto p = given->value("p", std::array<double, 2>{});
   if (model == "fisheye") {
     k.resize(4);
-    return become("fisheye-for-brown", {{"model", "brown"}, {"k", {k[0], k[1]}}, {"p", {k[2], k[3]}}});
+    return become("fisheye-for-brown", {{"model", "brown"}, {"k", {k[0], k[1]}}, {"p", {k[2], k[3]}}}, "brown");
   }
   if (model != "brown" && k.empty()) return;
   const auto with = [&](const std::vector<double>& others, double p1, double p2) {
@@ -155,8 +193,8 @@ void changeLens(Trials& t) {
     become("lens-order", with({three[0], three[1], p[1]}, three[2], p[0]));
     become("lens-order", with({three[0], three[1], p[0]}, p[1], three[2]));
     if (model == "brown") {
-      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", {three[0], three[1], p[0], p[1]}}});
-      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", three}});
+      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", {three[0], three[1], p[0], p[1]}}}, "fisheye");
+      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", three}}, "fisheye");
     }
   }
   for (double& each : k) each = 0 - each;
@@ -164,6 +202,26 @@ void changeLens(Trials& t) {
 }
 
 }  // namespace
+
+void addRatioRows(Trials& t, const Hypothesis& fitted) {
+  if (fitted.parameters != 1) return;
+  const Vec2 focal = fitted.camera.focal;
+  if (fitted.mistake == "focal-lengths" && !t.has("projection.fx")) {
+    const Fraction aspect = fractionOf(t.viewport().width / t.viewport().height * std::fabs(focal.y / focal.x));
+    if (aspect.first > 0)
+      t.change("aspect", {{"projection.aspect", shownFraction(aspect)}}, shownFraction(aspect), true);
+  } else if (fitted.mistake == "pixel-ratio" && t.has("projection.fx")) {
+    const auto [of, by] = fractionOf(t.plain().focal.x / focal.x);
+    const Vec2 own = calibratedPictureOf(t), size{own.x * of / by, own.y * of / by};
+    const auto isNearer = [](double centre, double to, double from) {  // to the middle
+      return std::fabs(centre / to - 0.5) < std::fabs(centre / from - 0.5);
+    };
+    if (of > 0 && size.x == std::round(size.x) && size.y == std::round(size.y) &&
+        isNearer(t.numberOr("projection.cx", 0), size.x, own.x) &&
+        isNearer(t.numberOr("projection.cy", 0), size.y, own.y))
+      ofSize(t, size.x, size.y);
+  }
+}
 
 void addWindowRows(Trials& t) {
   changePicture(t);

@@ -21,7 +21,7 @@ constexpr Mistake kMistakes[] = {
     {"viewport-offset", "a viewport's or crop's corner is left out or added"},
     {"picture-size", "fx, fy, cx, cy are of a picture of another size: {}"},
     {"fov-axis", "the angle of view is that of another axis"},
-    {"aspect", "the aspect is left out, or inverted"},
+    {"aspect", "the aspect is left out, inverted or stale: {}"},
     {"radians", "radians are taken for degrees, or the reverse"},
     {"direction-as-target", "a direction is taken for a target, or the reverse"},
     {"up-axis", "one side has y up and one z up, or is upside down"},
@@ -32,6 +32,7 @@ constexpr Mistake kMistakes[] = {
     {"distortion-twice", "the distortion of the lens is taken twice"},
     {"normalized", "the pixels are 0..1 across the picture"},
     {"ndc", "the pixels are normalized device coordinates, -1..1"},
+    {"image-coordinates", "the pixels are (x - cx) / fx, (y - cy) / fy"},
     {"picture-turned", "the picture is turned by {} degrees"},
     {"row-column", "row and column are exchanged"},
     {"ndc-twice", "half the picture is added to NDC already scaled"},
@@ -47,6 +48,7 @@ constexpr Mistake kMistakes[] = {
     {"translation-left-out", "the translation is left out"},
     {"pose-left-out", "the rotation, or the whole pose, is left out"},
     {"pose-twice", "the pose is applied twice"},
+    {"rotation-vector", "a rotation vector is taken for three angles"},
     {"eye-target-exchanged", "eye and target are exchanged"},
     {"unit", "one side has another unit: {0} times {1}"},
     {"point-axes", "the points have other axes: {}"},
@@ -63,8 +65,8 @@ constexpr Mistake kMistakes[] = {
     {"focal-length", "the focal length is {} times this one's"},
     {"focal-lengths", "the focal lengths are {0} times these across, {1} down"},
     {"resized", "the picture is {0} times this one across, {1} down"},
-    {"scale-and-offset", "a letterbox: {0} times this picture, moved by {1}, {2}"},
-    {"scales-and-offset", "{0} and {1} times this picture, moved by {2}, {3}"},
+    {"scale-and-offset", "{0} times this picture, then moved by {1p}, {2p}"},
+    {"scales-and-offset", "{0} and {1} times this picture, then moved by {2p}, {3p}"},
     {"heading", "the camera is turned by {} degrees about up"},
     {"pitch", "the camera is tilted by {} degrees"},
     {"roll", "the camera is rolled by {} degrees"},
@@ -76,7 +78,59 @@ constexpr Mistake kMistakes[] = {
     {"pose", "the camera is turned by {0} degrees, moved by {1}, {2}, {3}"},
     {"pose-and-focal-length", "pose and focal length: {0} degrees, moved by {1}, {2}, {3}"},
     {"another-camera", "another camera: {0} degrees, moved by {1}, {2}, {3}"},
+    {"camera-of-file", "the pixels are of another camera of the file: {}"},
     {"pixel-order", "the pixels are in another order"}};
+
+struct Saying {
+  std::string_view name, key, meaning;
+};
+/// In place of the meaning, where the value says more.
+constexpr Saying kSayings[] = {
+    {"x-mirrored", "pixels", "mirrored: one side is left-handed, or OpenGL's axes are used as OpenCV's"},
+    {"radians", "radians", "the camera's angles are in radians, not in degrees"},
+    {"radians", "degrees", "the camera's angles are in degrees, not in radians"},
+    {"radians", "pixels", "the pixels are made with degrees taken for radians"},
+    {"half-angle", "half", "the angle of view is half of the whole"},
+    {"half-angle", "twice", "the angle of view is twice the right one"},
+    {"direction-as-target", "direction", "the target is a direction"},
+    {"direction-as-target", "target", "the direction is a target"},
+    {"up-axis", "up y", "the world's up is y"},
+    {"up-axis", "up z", "the world's up is z"},
+    {"up-axis", "z for y", "the points have z up, the camera y"},
+    {"up-axis", "y for z", "the points have y up, the camera z"},
+    {"up-axis", "down", "the camera is upside down"},
+    {"up-axis", "exchanged", "y and z of the points are exchanged"},
+    {"pose-inverted", "cameraFromWorld", "the pose is inverted: its numbers are of world-to-camera"},
+    {"pose-inverted", "worldFromCamera", "the pose is inverted: its numbers are of camera-to-world"},
+    {"pose-inverted", "rotation", "the rotation alone is transposed (rows for columns)"},
+    {"translation-as-position", "position", "the camera's translation is a position"},
+    {"translation-as-position", "translation", "the camera's position is a translation"},
+    {"unit", "points", "the points' unit is {1} times the camera's"},
+    {"unit", "position", "the camera's unit is {1} times the points'"},
+    {"fisheye-for-brown", "fisheye", "the lens is a fisheye's, not Brown's"},
+    {"fisheye-for-brown", "equidistant", "the pixels are of an equidistant fisheye"},
+    {"fisheye-for-brown", "brown", "the lens is Brown's, not a fisheye's"},
+    {"scale-and-offset", "bars", "a letterbox: {0} times this picture, then moved by {1p}, {2p}"},
+    {"scale-and-offset", "crop", "a crop or region of interest: {0} times this picture, then moved by {1p}, {2p}"},
+    {"height", "lower", "the eye is lower by {-}"},
+    {"pixel-order", "reversed", "the pixels are in reverse order: the first is the last"}};
+
+/// Which of the sayings is of a value.
+std::string keyOf(std::string_view mistake, const Json& value) {
+  const Json& first = value.is_array() ? value[0] : value;
+  if (first.is_string()) return first;
+  if (mistake == "height" && value < 0) return "lower";
+  if (mistake != "scale-and-offset") return "";
+  const auto [least, most] = std::minmax({value[1].get<double>(), value[2].get<double>()});
+  return least > -1 ? "bars" : most < 1 ? "crop" : "";
+}
+
+std::string_view meaningOf(std::string_view mistake, const Json& value) {
+  const std::string key = keyOf(mistake, value);
+  for (const Saying& saying : kSayings)
+    if (saying.name == mistake && saying.key == key) return saying.meaning;
+  return kMistakes[placeOf(mistake)].meaning;
+}
 
 double largestOf(const Json& value) {
   if (value.is_number()) return std::fabs(value.get<double>());
@@ -95,15 +149,18 @@ std::string shown(const Json& value, double largest) {
   return text;
 }
 
-std::string sentence(std::string_view mistake, const Json& value, bool isOnEarth) {
+/// least: pixels that say something.
+std::string sentence(std::string_view mistake, const Json& value, bool isOnEarth, double least) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
-    return sentence(mistake.substr(0, plus), value[0], isOnEarth) + "; " +
-           sentence(mistake.substr(plus + 3), value[1], isOnEarth);
-  std::string text(kMistakes[placeOf(mistake)].meaning);
+    return sentence(mistake.substr(0, plus), value[0], isOnEarth, least) + "; " +
+           sentence(mistake.substr(plus + 3), value[1], isOnEarth, least);
+  std::string text(meaningOf(mistake, value));
   for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{')) {
-    const std::size_t close = text.find('}');
-    const Json& part = close == open + 1 ? value : value[static_cast<std::size_t>(text[open + 1] - '0')];
-    text.replace(open, close - open + 1, shown(part, largestOf(value)));
+    const std::string which = text.substr(open + 1, text.find('}') - open - 1);
+    Json part = which.empty() || which == "-" ? value : value[static_cast<std::size_t>(which[0] - '0')];
+    if (which == "-") part = -part.get<double>();
+    if (which.ends_with('p') && largestOf(part) < least) part = 0;
+    text.replace(open, which.size() + 2, shown(part, largestOf(value)));
   }
   constexpr std::string_view kShifts[] = {"eye", "pose", "pose-and-focal-length", "another-camera"};
   const bool isShift = std::find(std::begin(kShifts), std::end(kShifts), mistake) != std::end(kShifts);
@@ -178,7 +235,8 @@ std::string shownLines(std::span<const std::size_t> lines) {
 }
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
-  std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef) +
+  constexpr double kLeast = 5e-3;  // pixels
+  std::string words = sentence(e.hypothesis.mistake, e.hypothesis.value, file.worldIsEcef, std::max(kLeast, e.rms)) +
                       turnsOf(file, e.hypothesis.camera) + upOf(file, e.hypothesis.mistake);
   if (!e.wrong.empty()) words += ", but for " + shownLines(e.wrong);
   if (e.largest <= within) return words;
@@ -203,7 +261,8 @@ std::string wordsForPairs(const Hypothesis& h, const PixelMap& m) {
   add(h.places == PlaceMap::negateLat, "replace lat of the points by -lat");
   add(h.lensPasses < 0, "undistort the pixels once; the lens is in them twice");
   add(!h.words.empty(), h.words);
-  add(h.lensPasses > 0, "do not undistort the pixels; they are undistorted twice");
+  add(h.lensPasses > 0,
+      "do not undistort the pixels; they are undistorted twice, or the coefficients are of the inverse model");
   return text;
 }
 

@@ -12,7 +12,8 @@ namespace viewproj::cmd::mistakes {
 struct Mistake {
   std::string_view name, meaning;
 };
-/// In the order of help. {}, {0} and {1} stand for the value and its parts.
+/// In the order of help. {}, {0} and {1} stand for the value and its parts, {1p} for one in pixels, {-} for its
+/// negative.
 std::span<const Mistake> allMistakes();
 /// In that order; of two at once the sum.
 std::size_t placeOf(std::string_view mistake);
