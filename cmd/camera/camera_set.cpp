@@ -213,18 +213,19 @@ void CameraSet::failPick(const std::string& pick) const {
                    (others.empty() ? "" : ", and the same in other worlds, " + others));
 }
 
-std::vector<std::string> CameraSet::notes(bool isPicked) const {
+std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick) const {
   std::vector<std::string> notes;
   const bool statesAxes =
       !patches_.readAs.empty() || std::any_of(patches_.patches.begin(), patches_.patches.end(), [](const Patch& patch) {
         return patch.path == "cameraAxes" || patch.path.starts_with("convention");
       });
   if (import_.hasUnclearAxes && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
-  if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !isPicked) {
+  if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
-  if (const std::string others = otherWorlds(); !others.empty() && !isPicked)
+  const bool picksWorld = pick && nameOf(0).starts_with(pick->substr(0, pick->find('/')) + "/");
+  if (const std::string others = otherWorlds(); !others.empty() && !picksWorld)
     notes.push_back(name_ + ": has the same cameras in other worlds: " + others);
   return notes;
 }

@@ -105,8 +105,8 @@ class CameraSet {
   Document document(std::size_t which) const;
   /// What the file's format has not read of the camera; empty if there is nothing to say.
   std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
-  /// What is to be said of the file, once. isPicked: a pick chooses among its cameras.
-  std::vector<std::string> notes(bool isPicked) const;
+  /// What is to be said of the file, once, if this pick chooses among its cameras.
+  std::vector<std::string> notes(const std::optional<std::string>& pick) const;
   /// See Import.
   const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
   /// "#velodyne/*, #imu/*"; or empty.

@@ -8,6 +8,7 @@
 #include "camera/write_camera.hpp"
 #include "commands/pasted_camera.hpp"
 #include "formats/open.hpp"
+#include "formats/words.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -57,7 +58,8 @@ void CameraOptions::add(CLI::App& app) {
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, ...' (help parts)");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
             "FILE[#N], 'x,y,z rpy:0,0,9', base first");
-  addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
+  addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName,
+            "Inverse: 'x,y,z rvec:0,0,1', solvePnP's");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture; a file's is resized to it");
   addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
@@ -172,6 +174,17 @@ std::vector<CameraOptions::Picked> CameraOptions::readFiles() const {
   return all;
 }
 
+void CameraOptions::requirePoseCounts(const std::string& option) const {
+  const Patch *place = nullptr, *turn = nullptr;
+  for (const Patch& patch : patches_) {
+    if (patch.isOption && patch.path == "position") place = &patch;
+    if (patch.isOption && isAmong(patch.path, "target direction rotation euler heading")) turn = &patch;
+  }
+  if (place && turn)
+    throw UsageError(place->label + " and " + turn->label + " are the pose, and so is " + option +
+                     "; keep one, or give each pose to --world-from-camera, base first");
+}
+
 std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::open(
     const std::optional<std::string>& name) const {
   if (name && onlyReads_ && convention_)
@@ -186,6 +199,7 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (!worldFromCamera_.empty() || !cameraFromWorld_.empty()) {
     opening.poses = worldFromCamera_.empty() ? cameraFromWorld_ : worldFromCamera_;
     opening.direction = worldFromCamera_.empty() ? "cameraFromWorld" : "worldFromCamera";
+    requirePoseCounts(worldFromCamera_.empty() ? "--camera-from-world" : "--world-from-camera");
   }
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
   if (!name && !opening.poses.empty()) return {openPoses(opening, std::move(all)), std::nullopt};
@@ -194,14 +208,15 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   opening.pick = source.pick;
   try {
     auto cameras = openCameras(source.file, opening, all);
-    for (const std::string& each : cameras->notes(source.pick.has_value())) note(each);
+    for (const std::string& each : cameras->notes(source.pick)) note(each);
     return {std::move(cameras), source.pick};
   } catch (const UnknownFormat& unknown) {
     if (parts_ || (showsMatrices_ && !changesCamera())) throw;
-    const auto matrices = cameraOfMatrices(unknown, shownName(source.file), readAs());
+    const std::string shown = isInlineJson(source.file) ? opening.option : shownName(source.file);
+    const auto matrices = cameraOfMatrices(unknown, shown, readAs());
     if (!matrices) throw;
     all.readAs.clear();
-    return {openDocument(parseDocument(shownName(source.file), *matrices), opening, std::move(all)), source.pick};
+    return {openDocument(parseDocument(shown, *matrices), opening, std::move(all)), source.pick};
   }
 }
 

@@ -84,6 +84,8 @@ class CameraOptions {
 
  private:
   CameraPatches patches(bool isTyped) const;
+  /// Throws UsageError where other options replace all of the pose that the option gives.
+  void requirePoseCounts(const std::string& option) const;
   std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> open(const std::optional<std::string>& name) const;
 
   const CLI::App* app_ = nullptr;

@@ -22,7 +22,7 @@ constexpr Command kCommands[] = {
     {kPoints, "triangulate", "where the rays of pixels of several cameras meet", declareTriangulate},
     {kPoints, "footprint", "what each picture shows of the ground: outline, area, pixel size", declareFootprint},
     {kPoints, "draw", "an SVG of what the camera sees", declareDraw},
-    {kCameras, "info", "what is in a camera file, or what a pasted matrix is", declareInfo},
+    {kCameras, "info", "a camera file, horizon and planes; or what a pasted matrix is", declareInfo},
     {kCameras, "matrix", "a camera's matrices in any convention", declareMatrix},
     {kCameras, "convert", "cameras as a file of another program, or as ours", declareConvert, 1, true},
     {kCameras, "fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},

@@ -1,6 +1,8 @@
 // viewproj convert: cameras as files of other programs, or as ours.
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "camera/plain_camera.hpp"
 #include "commands/camera_options.hpp"
@@ -15,6 +17,7 @@
 #include "text/json_text.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -32,6 +35,7 @@ struct ConvertOptions {
 struct Chosen {
   CameraFile file;
   std::string name;
+  bool isPlaced;  ///< false: its file does not tell where it stands
 };
 
 /// The camera with its pose as angles of --angles, where there is a pose.
@@ -46,17 +50,48 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   return readCamera(document, file.reading);
 }
 
+/// Leaves out what is no other camera, where there are others.
+void keepCameras(std::vector<Chosen>& cameras, const std::string& source) {
+  const auto leaveOut = [&](const auto& isNone, const char* what) {
+    std::vector<std::string> names;
+    for (const Chosen& camera : cameras)
+      if (isNone(camera)) names.push_back("#" + camera.name);
+    if (names.empty() || names.size() == cameras.size()) return;
+    note(source + ": left out: " + visible(joined(names)) + ", " + what + "; FILE#NAME takes one");
+    std::erase_if(cameras, isNone);
+  };
+  leaveOut([](const Chosen& camera) { return camera.name.starts_with("rectified"); },
+           "the straightened picture of another");
+  leaveOut([](const Chosen& camera) { return camera.name == "K"; }, "the lens without a view");
+}
+
 std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   const auto files = o.camera.readFiles();
   std::vector<Chosen> all;
-  for (const auto& [cameras, which] : files)
+  std::unordered_map<std::string, std::shared_ptr<Json>> documents;  // by name
+  for (const auto& [cameras, which] : files) {
+    std::vector<Chosen> ofFile;
     for (const std::size_t i : which) {
       CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
-      std::string name = cameras->nameOf(i, file.document);
-      // Of several files with a camera each, the file's name tells which it is.
-      if (name.empty() && files.size() > 1 && which.size() == 1) name = pathOf(file.name).stem().string();
-      all.push_back({turned(o, o.world.mapped(file)), std::move(name)});
+      const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
+      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced});
     }
+    if (which.size() == cameras->size()) keepCameras(ofFile, cameras->name());
+    const bool arePlaced =
+        std::any_of(ofFile.begin(), ofFile.end(), [](const Chosen& camera) { return camera.isPlaced; });
+    for (Chosen& camera : ofFile) {
+      camera.isPlaced = arePlaced;  // one that has no pose is where the others are counted from
+      // Of several files with a camera each, the file's name tells which it is.
+      const bool isOnly = ofFile.size() == 1 && (camera.name.empty() || which.size() > 1);
+      if (isOnly && files.size() > 1) camera.name = pathOf(cameras->name()).stem().string();
+      // Files that belong together, as those of a stereo calibration, have the same cameras.
+      const std::shared_ptr<Json>& document = camera.file.document.root;
+      const auto known = documents.find(camera.name);
+      if (known != documents.end() && *known->second == *document) continue;
+      if (!camera.name.empty()) documents.emplace(camera.name, document);
+      all.push_back(std::move(camera));
+    }
+  }
   return all;
 }
 
@@ -87,6 +122,10 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
   const Writer& writer = *row;
   std::vector<WrittenCamera> cameras;
+  for (const Chosen& camera : chosen)
+    if (!camera.isPlaced && chosen.size() > 1 && (writer.places & kPosePlace) != 0)
+      camera.file.fail(camera.file.name + ": has no pose, and of several cameras " + std::string(writer.name) +
+                       " states each; --world-from-camera 0,0,0 puts them at the origin, FILE#NAME picks one");
   if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);

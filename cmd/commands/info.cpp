@@ -407,8 +407,8 @@ Action declareInfo(CLI::App& app) {
   describe(app,
            "What is in a file: of one camera its eye and axes, fields of view, window, focal length, near and far, "
            "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table; "
-           "of matrices, as pasted from code or logs, what each can be, the likeliest first. Angles are in degrees, "
-           "edges x/z and y/z (lengths in orthographic), all without distortion.",
+           "of matrices, as pasted from code or logs, what each can be, the likeliest first. Without distortion: "
+           "angles in degrees, edges x/z, y/z (glFrustum's over near; lengths if orthographic).",
            "Examples:\n"
            "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
            "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"

@@ -168,8 +168,8 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
   if (!isGiven(app, "--to") && isEnding(endingOf(outputFile(app)), o.all ? ".json" : ".ndjson .jsonl"))
     throw UsageError(o.all ? "--all writes a line of JSON for each camera, which is no .json; call the file .ndjson"
                            : "-o: one camera's matrices are one JSON document, a .json; --all writes lines");
-  if (o.all && o.format != "json")
-    throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
+  const bool isText = o.all && o.format != "json";
+  if (isText && o.relativeToEye) throw UsageError("--relative-to-eye with --all is for JSON, where each has its eye");
   for (const Change& change : changesOf(o))
     if (o.which && change.isGiven && !isChanged(*o.which, change))
       throw UsageError(std::string(change.option) + " is for " + change.matrices +
@@ -177,12 +177,28 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
   const bool needsPicture =
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
-  if (o.all)
-    return o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
+  if (o.all) {
+    std::optional<MatrixSet> whole;  // a text has the matrices of all
+    const int status = o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
       MatrixSet set = matricesOf(o.world.mapped(camera), model, o);
       set.camera = pick;
-      return writeMatrices(set, o.format, camera.name);
+      if (!isText) return writeMatrices(set, o.format, camera.name);
+      if (!whole) {
+        whole = set;
+        whole->matrices.clear();
+      }
+      if (set.convention != whole->convention)
+        throw InputError(camera.name +
+                         ": has another convention than the cameras before it; --convention NAME is for all");
+      for (NamedMatrix& each : set.matrices) {
+        each.name = pick + " " + each.name;
+        whole->matrices.push_back(std::move(each));
+      }
+      return std::string();
     });
+    if (whole) writeOutput(writeMatrices(std::move(*whole), o.format, o.camera.file().value_or("-")));
+    return status;
+  }
   const auto [cameras, pick] = o.camera.readAll();
   const CameraFile read = o.world.mapped(o.camera.readOne(*cameras, cameras->choose(pick), needsPicture));
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
@@ -231,7 +247,7 @@ Action declareMatrix(CLI::App& app) {
   const auto forms = matrixForms();
   refuse(addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format"), "camera",
          "viewproj convert --to camera writes a camera file");
-  addFlag(app, "--all", o->all, "Write one JSON object per camera of the file");
+  addFlag(app, "--all", o->all, "All cameras of the file: JSON lines, or one text");
   o->world.add(app);
   exclude(model, relative);
   exclude(model, findOption(app, "--map"));

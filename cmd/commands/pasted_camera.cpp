@@ -110,6 +110,9 @@ std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, c
       throw InputError(name + ": can be read in several ways; viewproj info lists them, --read-as NAME chooses");
     camera = std::move(each);
   }
+  const bool isOrthographic = camera["projection"]["type"] == "orthographic";
+  note(name + ": is made a camera, which agrees to the digits that it has" +
+       (isOrthographic ? "; it does not tell the eye, from which viewDistance counts" : ""));
   return camera.dump();
 }
 

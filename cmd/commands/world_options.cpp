@@ -47,7 +47,7 @@ void WorldOptions::add(CLI::App& app) {
            "New axes of the world in terms of the old, as in x,y,-z; a map that mirrors changes the handedness");
   addValue(app, "--scale", "N", scale_,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Write it for a world of lengths N times as long");
+           "Multiply lengths by N: 0.01 for cm to metres");
 }
 
 CameraFile WorldOptions::mapped(const CameraFile& file) const {

@@ -134,7 +134,7 @@ Json viewOf(const Node& view) {
 }
 
 Import openViews(const Node& root) {
-  const Node views = root.find("views").value_or(root);
+  const Node views = root.json().is_object() ? root.find("views").value_or(root) : root;
   Import result;
   const auto add = [&](const std::string& name, const Node& view) {
     result.add(
@@ -192,8 +192,8 @@ Import openUnreal(const Node& root) {
 extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
                              "cameraPoseARFrame intrinsics:9 projectionMatrix:16", devices::openFrame, "*"};
 extern const Format kOpenXr{"openxr", "views of OpenXR",
-                            "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft !camera_path", devices::openViews,
-                            "type next viewState*"};
+                            "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft|/0.fov.angleLeft !camera_path",
+                            devices::openViews, "type next viewState*"};
 extern const Format kUnity{"unity", "a transform of Unity",
                            "position:3|TransformWorldPlacementJSON.position:3|UnityEditor.TransformWorldPlacementJSON."
                            "position:3 eulerAngles:3|TransformWorldPlacementJSON.rotation:4|UnityEditor."

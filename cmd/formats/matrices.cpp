@@ -117,7 +117,7 @@ Import open(const Node& root) {
 extern const Format kMatrices{
     "matrices", "a file of matrices",
     "view:16|viewMatrix:16|modelview:16|modelViewMatrix:16|worldToCameraMatrix:16|viewInverse:16|viewMatrixInverse:16|"
-    "cameraToWorldMatrix:16|projection:16|projectionMatrix:16|proj:16|viewProjection:16|viewProjectionMatrix:16 "
+    "cameraToWorldMatrix:16|projection:16|projectionMatrix:16|proj:16 "
     "!cameraPoseARFrame",
     matrices::open, "*"};
 

@@ -143,13 +143,17 @@ Import open(const Node& root) {
   return result;
 }
 
-/// The members of a lens and its picture.
+std::string_view modelOf(const WrittenCamera& camera) {
+  const std::optional<Lens>& lens = camera.file.lens;
+  return !lens ? "PINHOLE" : lens->model() == LensModel::fisheye ? "OPENCV_FISHEYE" : "OPENCV";
+}
+
+/// The other members of a lens and its picture.
 std::string lensMembers(const WrittenCamera& camera, std::string_view between) {
   const Intrinsics k = camera.intrinsics(0.5);
   const std::optional<Lens>& lens = camera.file.lens;
   const bool isFisheye = lens && lens->model() == LensModel::fisheye;
   JsonObject out;
-  out.add("camera_model", isFisheye ? "OPENCV_FISHEYE" : lens ? "OPENCV" : "PINHOLE");
   const auto add = [&](std::string_view name, double value) { out.addText(name, jsonOf(value), between); };
   // The original NeRF and 3D Gaussian splatting read these alone.
   add("camera_angle_x", 2 * std::atan(camera.width() / 2 / k.fx));
@@ -185,6 +189,13 @@ std::vector<WrittenFile> writeTransforms(std::span<const WrittenCamera> cameras,
   const bool isShared = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
     return transforms::lensMembers(camera, kLine) == shared;
   });
+  // Nerfstudio reads the model beside frames alone.
+  const std::string_view model = transforms::modelOf(cameras.front());
+  const bool hasOneModel = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
+    return transforms::modelOf(camera) == model;
+  });
+  const char* const told =
+      hasOneModel ? "" : "transforms has several lens models, and nerfstudio takes one for all of a file";
   std::vector<std::string> frames;
   for (const WrittenCamera& camera : cameras) {
     const auto m = worldFromCamera(camera, CameraAxes::RUB);
@@ -192,12 +203,14 @@ std::vector<WrittenFile> writeTransforms(std::span<const WrittenCamera> cameras,
     rows.insert(rows.end(), {0, 0, 0, 1});
     JsonObject frame;
     frame.add("file_path", camera.label());
+    if (!hasOneModel) frame.add("camera_model", transforms::modelOf(camera));
     if (!isShared) frame.addMembers(transforms::lensMembers(camera, ", "));
     frames.push_back(frame.addText("transform_matrix", jsonRows(rows, 4)).text());
   }
   JsonObject out;
-  out.addMembers(isShared ? shared : "");
-  return {{"", "{\n  " + out.addText("frames", jsonList(frames, ",\n    "), kLine).members() + "\n}\n"}};
+  if (hasOneModel) out.add("camera_model", model);
+  if (isShared) out.addMembers(shared, kLine);
+  return {{"", "{\n  " + out.addText("frames", jsonList(frames, ",\n    "), kLine).members() + "\n}\n", told}};
 }
 
 }  // namespace viewproj::cmd

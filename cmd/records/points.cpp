@@ -230,13 +230,26 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
   const char* const choose = csv ? "; --columns names all of them" : "";
   for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
     if (const std::string part = missingParts(*row, schema); !part.empty()) throw RecordError(0, part + choose);
+  const bool mayBeBoxes = reading.shapes && std::any_of(schema.names.begin(), schema.names.end(), [](const auto& name) {
+                            return name.find("min") != std::string::npos;
+                          });
   if (csv)
     throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(schema) +
-                             "; --columns names them, as in x=E,y=N,z=U");
+                             "; --columns names them, as in x=E,y=N,z=U" +
+                             (mayBeBoxes ? "; boxes are read from JSON alone" : ""));
   if (const auto field = schema.find(kRecordsField))
     throw RecordError(record.offset(*field), "has points behind other fields; expected them as the first one");
   throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
                            namesOf(rowsRead(reading)) + fieldsNote(schema));
+}
+
+/// A letter beside x, y, z that may belong to the point, and is not read, for it may as well be a width or a colour.
+void noteUnread(const RecordView& record, const Coordinate& row, const PointReading& reading, NumberPlan& plan) {
+  if (&row != &coordinates::xyz || plan.kind == kindRoundPoint) return;
+  const auto has = [&](const char* name) { return record.schema->find(name).has_value(); };
+  if (has("w") && !has("h")) plan.notes.push_back("w is not read; --columns x,y,z,w makes the point (x/w, y/w, z/w)");
+  if (reading.radius && has("r") && !has("g"))
+    plan.notes.push_back("r is not read; the name radius, or --columns x=x,y=y,z=z,radius=r, makes it a sphere");
 }
 
 NumberPlan findNamedPoint(const RecordView& record, const PointReading& reading) {
@@ -254,6 +267,7 @@ NumberPlan findNamedPoint(const RecordView& record, const PointReading& reading)
       plan.append(*radius);
       plan.kind = plan.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
     }
+  noteUnread(record, *row, reading, plan);
   // With a camera on the Earth, an array of three numbers may be a place.
   if (reading.worldIsEcef)
     for (NumberField& part : plan.fields)
@@ -296,10 +310,12 @@ NumberPlan findScreen(const RecordView& record, Conditions& conditions) {
   throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + fieldsNote(schema));
 }
 
-/// A distance along the ray is not read: without it the record would seem to have been obeyed.
+/// A distance along the ray is not read: without it the record would seem to have been obeyed. Nor is z without x, y.
 void requireNoOtherDistance(const RecordView& record) {
-  for (const std::string& name : record.schema->names)
-    if (sameButForCase(name, "distance"))
+  const std::vector<std::string>& names = record.schema->names;
+  const bool hasX = std::any_of(names.begin(), names.end(), [](const auto& name) { return sameButForCase(name, "x"); });
+  for (const std::string& name : names)
+    if (sameButForCase(name, "distance") || (!hasX && sameButForCase(name, "z")))
       throw RecordError(0, "has " + inQuotes(name) +
                                ", which is not read; expected depth, range, the distance from the eye, or "
                                "viewDistance, along the viewing axis; --columns x=X,y=Y takes the pixel alone");
