@@ -1,5 +1,6 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/values.hpp"
@@ -20,6 +21,7 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr unsigned kindPolygon = 100;
+constexpr const char* kNoLabel = "none";
 
 struct DrawOptions {
   CameraOptions camera;
@@ -36,30 +38,52 @@ std::string labelOfJson(std::string_view value) {
   return visible(value.starts_with('"') ? unescaped(value.substr(1, value.size() - 2)) : std::string(value));
 }
 
+bool isNameless(const Schema& schema) { return schema.isArray || !schema.hasHeader; }
+
+/// Of records whose fields have no names, also by column1 and so on.
 std::optional<std::size_t> fieldNamed(const Schema& schema, std::string_view name) {
+  for (std::size_t i = 0; i < schema.size && isNameless(schema); ++i)
+    if (sameButForCase(nameOfColumn({}, i), name)) return i;
   const auto found = std::find_if(schema.names.begin(), schema.names.end(),
                                   [&](const std::string& field) { return sameButForCase(field, name); });
   if (found == schema.names.end()) return std::nullopt;
   return static_cast<std::size_t>(found - schema.names.begin());
 }
 
+/// A number with a fraction has six digits, or as many as stand before the point.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kDigits = 6;
+  const auto number = parseNumber(text);
+  const bool isLong = number && text.size() > kDigits + 1 && text.find_first_of(".eE") != std::string::npos;
+  if (!isLong || !std::isfinite(*number)) return text;
+  const double whole = std::floor(std::log10(std::fabs(*number))) + 1;
+  return formatDigits(*number, static_cast<int>(std::max<double>(kDigits, whole)));
+}
+
 /// A value that can stand in a picture; empty for null.
 std::string textIn(const RecordView& record, std::size_t field) {
-  if (record.schema->form == Form::json && record.values[field] == "null") return "";
+  const bool isJson = record.schema->form == Form::json;
+  if (isJson && record.values[field] == "null") return "";
   const std::string text = visible(plainText(record, field));
-  return isUtf8(text) ? text : "";
+  if (!isUtf8(text)) return "";
+  return isJson && record.values[field].starts_with('"') ? text : shortened(text);
 }
 
 struct RecordLabel {
   std::string name, note;
 };
 
-/// The fields of --label, the first as the name; else the id or name, else the number counted from 1.
+/// The fields of --label, the first as the name; none for the word, where no field is called so; else the id or name,
+/// else the number counted from 1.
 RecordLabel labelOf(const RecordView& record, std::size_t number, const std::vector<std::string>& labels) {
   RecordLabel label;
   for (const std::string& name : labels) {
     const auto field = fieldNamed(*record.schema, name);
-    if (!field) throw RecordError(0, "has no " + inQuotes(name) + " for --label" + fieldsNote(*record.schema));
+    if (!field && labels.size() == 1 && name == kNoLabel) return {};
+    if (!field)
+      throw RecordError(0, "has no " + inQuotes(name) + " for --label" +
+                               (isNameless(*record.schema) ? "; its fields are column1, column2 and so on"
+                                                           : fieldsNote(*record.schema)));
     const std::string text = textIn(record, *field);
     if (&name == &labels.front())
       label.name = text;
@@ -73,14 +97,10 @@ RecordLabel labelOf(const RecordView& record, std::size_t number, const std::vec
   return {std::to_string(number), ""};
 }
 
-/// Of a record as footprint writes it; none where it is null.
-std::vector<Vec3> polygonOf(const RecordView& record, std::size_t field, bool worldIsEcef) {
-  Json value;
-  (void)parseJson(record.values[field], value);
+/// offset: of the field in its record.
+std::vector<Vec3> ringOf(const Json& value, std::size_t offset, const std::string& field, bool worldIsEcef) {
+  if (!value.is_array() || value.size() < 3) throw RecordError(offset, field + ": expected three points or more");
   std::vector<Vec3> corners;
-  if (value.is_null()) return corners;
-  const std::size_t offset = record.offset(field);
-  if (!value.is_array() || value.size() < 3) throw RecordError(offset, "polygon: expected three points or more");
   for (const Json& each : value) {
     const auto number = [&](const char* name) {
       const auto found = each.find(name);
@@ -97,10 +117,28 @@ std::vector<Vec3> polygonOf(const RecordView& record, std::size_t field, bool wo
       corner = {each[0].get<double>(), each[1].get<double>(), each[2].get<double>()};
     if (!isValid(Sphere{corner}))
       throw RecordError(offset,
-                        "polygon: expected [x, y, z], x, y, z or lat, lon, height, got " + inQuotes(each.dump()));
+                        field + ": expected [x, y, z], x, y, z or lat, lon, height, got " + inQuotes(each.dump()));
     corners.push_back(corner);
   }
   return corners;
+}
+
+/// Of a record as footprint writes it: the polygon, or the polygons of which it is the largest, and holes. None where
+/// it is null.
+std::vector<std::vector<Vec3>> ringsOf(const RecordView& record, bool worldIsEcef) {
+  std::vector<std::vector<Vec3>> rings;
+  const auto polygons = fieldNamed(*record.schema, "polygons");
+  for (const auto& field : {polygons ? std::nullopt : fieldNamed(*record.schema, "polygon"), polygons,
+                            fieldNamed(*record.schema, "holes")}) {
+    Json value;
+    if (field) (void)parseJson(record.values[*field], value);
+    if (value.is_null()) continue;
+    const std::string& name = record.schema->names[*field];
+    if (sameButForCase(name, "polygon")) value = Json::array({value});
+    if (!value.is_array()) throw RecordError(record.offset(*field), name + ": expected a list of outlines");
+    for (const Json& each : value) rings.push_back(ringOf(each, record.offset(*field), name, worldIsEcef));
+  }
+  return rings;
 }
 
 /// Where a record has a polygon. Only JSON has one.
@@ -120,7 +158,7 @@ class PictureRecords {
         .columns = setup.columns, .worldIsEcef = camera_.worldIsEcef, .segments = true, .shapes = true};
     const auto locate = [&](const RecordView& record) {
       if (polygonField(record)) return NumberPlan{.kind = kindPolygon};
-      if (isNameless(record) && hasPixelBesidePoint(record, reading.columns)) return findPair(record, reading);
+      if (record.schema->isArray && hasPixelBesidePoint(record, reading.columns)) return findPair(record, reading);
       NumberPlan plan = findPoint(record, reading);
       return isPoint(plan) && hasPixelBesidePoint(record, reading.columns) ? findPair(record, reading) : plan;
     };
@@ -134,13 +172,11 @@ class PictureRecords {
  private:
   static constexpr double kWithin = 0.1;  // as check
 
-  static bool isNameless(const RecordView& record) { return record.schema->isArray; }
-
   void add(const NumberPlan& plan, const Numbers& n, const RecordView& record, std::size_t line) {
     constexpr std::size_t kMostSlotsOfPoint = 4;
     const auto [name, note] = labelOf(record, ++count_, o_.labels);
     if (plan.kind == kindPolygon) {
-      content_.areas.push_back({name, polygonOf(record, *polygonField(record), camera_.worldIsEcef)});
+      content_.areas.push_back({name, ringsOf(record, camera_.worldIsEcef)});
     } else if (isSegment(plan)) {
       content_.segments.push_back({name, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
     } else if (!isPoint(plan)) {
@@ -230,13 +266,13 @@ Action declareDraw(CLI::App& app) {
       "    --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
   addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "A pixel to mark, with what it hits");
-  CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw");
-  o->height.add(app, "The ground at this height: z = H, or the Earth's", {scene});
+  addScene(app, o->scene, "Shapes to draw");
+  o->height.add(app, "The ground at this height: z = H, or the Earth's");
   addFlag(app, "--stems", o->hasStems, "A line from each point down to the ground");
   addOption(
       app, "--label", "NAMES",
       [o](const std::string& option, const std::string& text) { o->labels = splitNames(option, text); },
-      "Fields to write beside points (default: id or name)");
+      "Fields beside points, or none (default: id or name)");
   addValue(app, "--title", "TEXT", o->title, readText, "The title (default: the camera's name)");
   addValue(app, "--picture", "PHOTO", o->photo, readFileName, "A JPEG or PNG to put beneath, of the viewport's size");
   o->stream.addInput(app, "points, pairs, shapes and outlines");

@@ -232,7 +232,6 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
 /// Of the ground of a height: how far below level it is at the camera's heading, in degrees, and how far away; and its
 /// pixels. Null from below the ground.
 OrderedJson horizonOf(const CameraFile& file, const GroundHeight& typed) {
-  requireUp(file, "--height");
   const double height = typed.of(file.worldIsEcef, &file);
   if (!file.pose) return nullptr;
   const Vec3 eye = file.pose->eye();
@@ -348,6 +347,8 @@ int runCamera(const InfoOptions& o) {
   OrderedJson info = infoReport(file, cameras->nameOf(which), distances);
   if (o.angles) info["angles"] = anglesOf(*o.angles, readValues(file.document), *file.preset, file.pose);
   if (o.height.isTyped()) info["horizon"] = horizonOf(file, o.height);
+  if (info["heading"].is_number())  // not 360, also where digits are left out
+    info["heading"] = std::fmod(toDigits(info["heading"].get<double>(), static_cast<int>(o.report.digits())), 360);
   o.report.write(info);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "commands/ground_height.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
+#include "numbers/vectors.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/model.hpp"
@@ -66,6 +67,11 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
                            "; a distance along the viewing axis is viewDistance");
 }
 
+WorldPoint pointOfHit(const Camera& camera, const Hit& hit) {
+  const Vec3 way = sum(hit.point, -1, camera.pose().eye());
+  return {.position = hit.point, .bound = NAN, .viewDistance = detail::dot(way, camera.pose().forward())};
+}
+
 struct Casting {
   ColumnChoice columns;
   std::optional<ResultRows> fields = {};  ///< nothing: what is given by default
@@ -109,6 +115,7 @@ struct Cast {
   const Camera& camera = from.camera;
   Ray ray;  ///< NaN where the record has no pixel
   WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
+  std::vector<SceneHit> hits = {};
 };
 
 class Caster final : public RecordProcessor {
@@ -150,6 +157,8 @@ class Caster final : public RecordProcessor {
       else if (pixel.range)
         cast.point = pointAtRange(cast.camera, cast.ray, *pixel.range);
     }
+    if (how_.scene) cast.hits = hitsOf(cast.camera, cast.ray, *how_.scene);
+    if (!pixel.hasDistance && !cast.hits.empty()) cast.point = pointOfHit(cast.camera, cast.hits[0].hit);
     for (const ResultRow* row : rowsOf(pixel.hasDistance)) addResult(*row, cast, values);
   }
 
@@ -189,10 +198,9 @@ class Caster final : public RecordProcessor {
     } else if (&row == &results::bound) {
       values.add(isPoint ? cast.point.bound : NAN);
     } else {
-      const std::vector<SceneHit> hits = hitsOf(cast.camera, cast.ray, *how_.scene);
-      const std::size_t count = how_.allHits ? hits.size() : std::min<std::size_t>(hits.size(), 1);
+      const std::size_t count = how_.allHits ? cast.hits.size() : std::min<std::size_t>(cast.hits.size(), 1);
       values.addCount(count);
-      for (std::size_t i = 0; i < count; ++i) addHit(hits[i], values);
+      for (std::size_t i = 0; i < count; ++i) addHit(cast.hits[i], values);
     }
   }
 
@@ -308,8 +316,9 @@ int run(const Options& o) {
           "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
-    if (o.height.isTyped()) how.scene->push_back(o.height.surface("0", worldIsEcef, cameras.first()));
-    for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
+    const auto next = [&] { return std::to_string(how.scene->size()); };
+    if (o.height.isTyped()) how.scene->push_back(o.height.surface(next(), worldIsEcef, cameras.first()));
+    for (const PlaneEquation& plane : o.planes) how.scene->push_back({next(), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
   if (o.fields) settleFields(how, *o.fields, !cameras.first() || knowsUp(*cameras.first()));
@@ -325,8 +334,8 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   describe(
       app,
-      "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth, and the nearest "
-      "hit with a scene; null outside a lens.",
+      "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth or at the nearest "
+      "hit, and that hit; null outside a lens.",
       "Examples:\n"
       "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
       "    --pixel 320,240 --plane z=0\n"
@@ -334,10 +343,9 @@ Action declareRay(CLI::App& app) {
       "    --world-from-camera '1,0,0.5 rpy:-90,0,0' --pixel 400,300,viewDistance=0.8");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
-  CLI::Option* const scene = addScene(app, o->scene, "Shapes to hit");
-  CLI::Option* const plane =
-      addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
-  o->height.add(app, "Hit the Earth's surface of this height, or z = H", {scene, plane});
+  addScene(app, o->scene, "Shapes to hit");
+  addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
+  o->height.add(app, "Hit the Earth's surface of this height, or z = H");
   addFlag(app, "--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());

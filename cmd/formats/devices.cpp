@@ -54,11 +54,15 @@ std::string fileOf(const Node& row) {
   return file.empty() ? textAt(row, "SourceFile") : file;
 }
 
-/// Degrees of the side that the letter beside them names, which the group EXIF has without a sign.
-double degreesOf(const Node& row, double degrees, const std::string& name) {
-  const std::string side = textAt(row, name + "Ref");
-  const bool isBelow = !side.empty() && (side[0] == 'S' || side[0] == 'W');
-  return isBelow ? -std::fabs(degrees) : degrees;
+/// A number with the sign of what is named beside it, which the group EXIF has without one: south, west, and below,
+/// which is 1 or 3 too.
+double signedOf(const Node& row, double number, const std::string& name) {
+  const auto ref = row.find(name + "Ref");
+  const std::string side = !ref                      ? ""
+                           : ref->json().is_number() ? formatNumber(ref->number())
+                                                     : textAt(row, name + "Ref");
+  return !side.empty() && std::string_view("SWB13").find(side[0]) != std::string_view::npos ? -std::fabs(number)
+                                                                                            : number;
 }
 
 /// What would move pixels, and is not known to be in the other numbers.
@@ -79,14 +83,14 @@ Json pictureOf(const Node& row) {
   };
   requirePlain(row);
   const auto altitude = cellOf(row, "AbsoluteAltitude");
-  Json camera{
-      {"position",
-       {{"lat", degreesOf(row, cell("GPSLatitude"), "GPSLatitude")},
-        {"lon", degreesOf(row, cell("GPSLongitude"), "GPSLongitude")},
-        {hasGeoid() ? "altitude" : "height", altitude ? *altitude : cell("GPSAltitude", " or AbsoluteAltitude")}}},
-      {"heading", cell("GimbalYawDegree")},
-      {"pitch", cell("GimbalPitchDegree")},
-      {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
+  Json camera{{"position",
+               {{"lat", signedOf(row, cell("GPSLatitude"), "GPSLatitude")},
+                {"lon", signedOf(row, cell("GPSLongitude"), "GPSLongitude")},
+                {hasGeoid() ? "altitude" : "height",
+                 altitude ? *altitude : signedOf(row, cell("GPSAltitude", " or AbsoluteAltitude"), "GPSAltitude")}}},
+              {"heading", cell("GimbalYawDegree")},
+              {"pitch", cell("GimbalPitchDegree")},
+              {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
   const auto w = cellOf(row, "ImageWidth"), h = cellOf(row, "ImageHeight");
   if (w && h) camera["viewport"] = {{"width", *w}, {"height", *h}};
   if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && row.find("DewarpData"))

@@ -96,6 +96,19 @@ std::vector<Vec2> pointsOf(const Pieces& pieces) {
   return points;
 }
 
+std::vector<Line> joined(const Pieces& pieces) {
+  constexpr double kJoin = 1;
+  std::vector<Line> lines;
+  for (const auto& [isHidden, line] : pieces) {
+    if (lines.empty() || distance(lines.back().back(), line.front()) > kJoin) lines.emplace_back();
+    lines.back().insert(lines.back().end(), line.begin(), line.end());
+  }
+  if (lines.size() < 2 || distance(lines.back().back(), lines.front().front()) > kJoin) return lines;
+  lines.back().insert(lines.back().end(), lines.front().begin(), lines.front().end());
+  lines.erase(lines.begin());
+  return lines;
+}
+
 Pieces piecesOf(const View& view, const std::function<Vec4(double)>& at, int steps, const CurveOptions& options) {
   return Tracer(view, at, options).pieces(steps);
 }

@@ -14,6 +14,8 @@ struct Piece {
 };
 using Pieces = std::vector<Piece>;
 std::vector<Vec2> pointsOf(const Pieces& pieces);
+/// The pieces in their order, joined where one ends as the next begins, and at last the first.
+std::vector<Line> joined(const Pieces& pieces);
 
 struct CurveOptions {
   Extent extent = Extent::view;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/ground.hpp"
 #include "picture/picture.hpp"
 #include "picture/sheet.hpp"
 
@@ -27,6 +28,10 @@ struct Drawing {
     bool isBehind = false;
   };
   std::vector<Outside> outside = {};
+  std::size_t moreOutside = 0;  ///< those without a name
+
+  double radiusOfDots = 4.5;
+  bool namesPoints = true;
 };
 
 // shapes.cpp
@@ -35,23 +40,18 @@ struct Drawing {
 void drawShapes(Drawing& drawing);
 void drawSegment(Drawing& drawing, const NamedSegment& segment);
 void drawArea(Drawing& drawing, const NamedArea& area);
-/// Fills what a picture shows of something convex, which is convex: the hull of the pieces of its edge and of those
-/// places of the picture's rim that it is seen at. So no polygon is clipped, and nothing behind the eye is divided by.
-template <class Meets>
-void fillConvex(const Drawing& drawing, Layer layer, const std::string& style, const Pieces& outline, Meets meets) {
-  std::vector<Vec2> corners = pointsOf(outline);
-  for (const Vec2& at : drawing.rim)
-    if (meets(at)) corners.push_back(at);
-  drawing.sheet.addFilled(layer, style, hull(std::move(corners)));
-}
 
 // grounds.cpp
 
+/// What a ray shows of the ground, be it nearer than near or beyond far.
+std::optional<Vec3> pointUnder(const View& view, const Ground& ground, const Vec2& at);
 /// Of each plane and surface of the Earth a tint, the horizon and a grid; from the points, stems down to the first.
 void drawGrounds(Drawing& drawing, const std::vector<NamedPoint>& withStems);
 
 // marks.cpp
 
+/// Dots of many points are smaller, and have no names if those would cover the picture.
+void settleDots(Drawing& drawing, const std::vector<NamedPoint>& points);
 void drawPoint(Drawing& drawing, const NamedPoint& point);
 void drawPixel(Drawing& drawing, const Vec2& pixel);
 /// An arrow from the pixel of each record to the computed one.

@@ -4,6 +4,29 @@
 #include <utility>
 
 namespace viewproj::cmd {
+namespace {
+
+/// On a closed line, by the number of the corner before it and the share of the way to the next.
+Vec2 placeAt(const Line& edge, double at) {
+  const auto corner = static_cast<std::size_t>(at);
+  return between(edge[corner % edge.size()], edge[(corner + 1) % edge.size()], at - static_cast<double>(corner));
+}
+
+/// Where a closed line is nearest to a point.
+double nearestOn(const Line& edge, const Vec2& p) {
+  double least = HUGE_VAL, nearest = 0;
+  for (std::size_t i = 0; i < edge.size(); ++i) {
+    const Vec2 &a = edge[i], &b = edge[(i + 1) % edge.size()];
+    const double away = distanceToSegment(p, a, b), length = distance(a, b);
+    if (!(away < least)) continue;
+    least = away;
+    const double along = std::sqrt(std::max(0.0, distance(p, a) * distance(p, a) - away * away));
+    nearest = static_cast<double>(i) + (length > 0 ? std::min(along / length, 1.0) : 0);
+  }
+  return nearest;
+}
+
+}  // namespace
 
 Rect boundsOf(const std::vector<Vec2>& points) {
   Rect box{NAN, NAN, NAN, NAN};  // fmin and fmax prefer numbers
@@ -67,6 +90,57 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& line) {
   for (std::size_t i = 0; i < line.size(); ++i)
     if (stays[i]) kept.push_back(line[i]);
   return kept;
+}
+
+/// Along the edge, what belongs to it and what does not take turns, and each line leads from one turn to another.
+std::vector<Line> outlinesWithin(const Line& edge, const std::vector<Line>& lines,
+                                 const std::function<bool(const Vec2&)>& isIn) {
+  constexpr double kJoin = 1, kShortest = 4;
+  struct End {
+    double at;
+    const Line* line;
+    bool isLast;
+  };
+  std::vector<Line> outlines;
+  std::vector<End> ends;
+  for (const Line& line : lines) {
+    if (lengthOf(line) < kShortest) continue;
+    if (distance(line.front(), line.back()) <= kJoin)
+      outlines.push_back(line);
+    else
+      for (const bool isLast : {false, true})
+        ends.push_back({nearestOn(edge, isLast ? line.back() : line.front()), &line, isLast});
+  }
+  if (ends.empty() && isIn(edge[0])) outlines.push_back(simplified(edge));
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  const auto count = static_cast<double>(edge.size());
+  std::vector<Line> runs(ends.size());  // of the edge, from each end to the next; empty if it does not belong
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double from = ends[i].at, to = i + 1 < ends.size() ? ends[i + 1].at : ends[0].at + count;
+    const double middle = (from + to) / 2, corner = std::round(middle);
+    if (!isIn(placeAt(edge, corner > from && corner < to ? corner : middle))) continue;
+    runs[i] = {placeAt(edge, from)};
+    for (double k = std::floor(from) + 1; k < to; ++k) runs[i].push_back(placeAt(edge, k));
+    runs[i].push_back(placeAt(edge, to));
+    runs[i] = simplified(runs[i]);
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Line outline;
+    for (std::size_t k = i; !runs[k].empty();) {
+      outline.insert(outline.end(), runs[k].begin(), runs[k].end());
+      runs[k].clear();
+      const End& end = ends[(k + 1) % ends.size()];
+      Line line = *end.line;
+      if (end.isLast) std::reverse(line.begin(), line.end());
+      outline.insert(outline.end(), line.begin(), line.end());
+      const auto other = std::find_if(ends.begin(), ends.end(), [&](const End& each) {
+        return each.line == end.line && each.isLast != end.isLast;
+      });
+      k = static_cast<std::size_t>(other - ends.begin());
+    }
+    if (!outline.empty()) outlines.push_back(outline);
+  }
+  return outlines;
 }
 
 std::vector<Vec2> hull(std::vector<Vec2> points) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -42,9 +43,14 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b);
 double lengthWithin(const Vec2& a, const Vec2& b, const Rect& box);
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-double lengthOf(const std::vector<Vec2>& line);
+using Line = std::vector<Vec2>;
+double lengthOf(const Line& line);
 /// Without the points that lie within 0.12 of the line of those that stay (Douglas-Peucker).
 std::vector<Vec2> simplified(const std::vector<Vec2>& line);
+/// The outlines of a part of the area within an edge. lines: what parts it, each closed or from edge to edge. isIn:
+/// whether a place on the edge belongs to it.
+std::vector<Line> outlinesWithin(const Line& edge, const std::vector<Line>& lines,
+                                 const std::function<bool(const Vec2&)>& isIn);
 /// The corners of the convex hull, in order (Andrew's chains).
 std::vector<Vec2> hull(std::vector<Vec2> points);
 

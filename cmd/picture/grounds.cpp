@@ -1,21 +1,16 @@
 // Planes and the Earth: a tint, the horizon, and a grid of round numbers that thins out with distance.
 #include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "camera/plain_camera.hpp"
 #include "picture/drawing.hpp"
-#include "picture/ground.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
 constexpr double kDegrees = std::numbers::pi / 180;
-
-std::optional<Vec3> pointUnder(const View& view, const Ground& ground, const Vec2& at) {
-  const auto seen = ground.hit(view.rayAt(at));
-  return seen ? std::optional(seen->point) : std::nullopt;
-}
 
 /// The ground's width under a sixth of the picture, low in its middle column.
 std::optional<double> widthBelow(const View& view, const Ground& ground) {
@@ -43,10 +38,10 @@ Rect placesInView(const Drawing& drawing, const Ground& ground) {
 }
 
 /// Lines of 1, 10 and 100 steps around the foot of the eye. They reach as far as the next one across the view is kGap
-/// away on the sheet: step F h / r^2 = kGap.
-bool drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, double step) {
+/// away on the sheet: step F h / r^2 = kGap. Returns the levels of which it draws a line other than 0.
+std::set<int> drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, double step) {
   constexpr double kGap = 7, kReachOfParallel = 12, kOfGrid = 0.06, kShortest = 2, kLeastShare = 0.01;
-  constexpr int kLevels = 3, kMostLines = 400, kSteps = 80;
+  constexpr int kMostLevels = 3, kMostLines = 400, kSteps = 80;
   const View& view = drawing.view;
   const Projection projection = view.camera().projection();
   const double focal = (view.frame().right - view.frame().left) / (projection.right() - projection.left());
@@ -57,10 +52,11 @@ bool drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, do
   const double origins[] = {ground.origin.x, ground.origin.y}, feet[] = {foot.x, foot.y};
   const double sizes[] = {std::max(scale.x, kLeastShare * scale.y), scale.y};
   const double lows[] = {shown.left, shown.top}, highs[] = {shown.right, shown.bottom};
-  bool isDrawn = false;
-  for (int level = 0; level < kLevels; ++level) {
+  std::set<int> drawn;
+  int levels = 1;
+  while (levels < kMostLevels && 6 * step * std::pow(10, levels) <= ground.extent.bottom - ground.extent.top) ++levels;
+  for (int level = 0; level < levels; ++level) {
     const double s = step * std::pow(10, level);
-    if (level > 0 && 6 * s > ground.extent.bottom - ground.extent.top) break;
     for (const std::size_t k : {0U, 1U}) {  // lines of one x, lines of one y
       const std::size_t other = 1 - k;
       const double reach =
@@ -70,7 +66,7 @@ bool drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, do
       const double first = std::ceil((low - origins[k]) / s), count = std::floor((high - origins[k]) / s) - first;
       if (!(count <= kMostLines)) continue;
       for (int i = 0; i <= count; ++i) {
-        if (level + 1 < kLevels && std::fmod(first + i, 10) == 0) continue;
+        if (level + 1 < levels && std::fmod(first + i, 10) == 0) continue;
         const double line = origins[k] + (first + i) * s, off = (line - feet[k]) * sizes[k];
         const double half = std::sqrt(std::max(0.0, reach * reach - off * off)), away = std::hypot(height, off);
         const auto angleOf = [&](double end) { return std::atan((end - feet[other]) * sizes[other] / away); };
@@ -82,14 +78,14 @@ bool drawGrid(const Drawing& drawing, const Ground& ground, const Vec2& foot, do
         };
         for (const Piece& piece : piecesOf(view, at, kSteps, {Extent::anyDistance})) {
           if (piece.isHidden || distance(piece.line.front(), piece.line.back()) < kShortest) continue;
-          drawing.sheet.addLine(Layer::grid, "grid g" + std::to_string(level), piece.line);
+          drawing.sheet.addThin(Layer::grid, "grid g" + std::to_string(level), piece.line);
           drawing.sheet.labels.addInk(piece.line, kOfGrid);
-          isDrawn = true;
+          if (first + i != 0) drawn.insert(level);
         }
       }
     }
   }
-  return isDrawn;
+  return drawn;
 }
 
 /// Ticks along the horizon of the Earth.
@@ -115,6 +111,7 @@ void drawAzimuths(const Drawing& drawing, const Ground& ground) {
 
 /// The horizon, if the view has one, and a tint up to it. On the Earth with azimuths, where it is nearly level.
 void drawHorizon(const Drawing& drawing, const Ground& ground) {
+  constexpr int kFewest = 1440;  // a lens may show a corner of the frame little of it
   constexpr double kOfHorizon = 0.3, kLargestDip = 20 * kDegrees;
   const View& view = drawing.view;
   std::string text = "horizon";
@@ -133,18 +130,41 @@ void drawHorizon(const Drawing& drawing, const Ground& ground) {
     if (-limit->elevation < kLargestDip) drawAzimuths(drawing, ground);
   }
   Pieces pieces;
-  if (circle) pieces = piecesOf(view, *circle, circle->steps(view), {Extent::anyDistance, nullptr, false});
+  if (circle)
+    pieces = piecesOf(view, *circle, std::max(kFewest, circle->steps(view)), {Extent::anyDistance, nullptr, false});
   for (const Piece& piece : pieces) {
-    drawing.sheet.addLine(Layer::horizon, "horizon", piece.line);
+    drawing.sheet.addThin(Layer::horizon, "horizon", piece.line);
     drawing.sheet.labels.addInk(piece.line, kOfHorizon);
     drawing.sheet.explain("horizon", text);
   }
   if (!drawing.sheet.hasPhoto)
-    fillConvex(drawing, Layer::land, "land", pieces,
-               [&](const Vec2& at) { return pointUnder(view, ground, at).has_value(); });
+    drawing.sheet.addFilled(Layer::land, "land", outlinesWithin(drawing.rim, joined(pieces), [&](const Vec2& at) {
+                              return pointUnder(view, ground, at).has_value();
+                            }));
+}
+
+/// What the lines of the grid are apart, the finest by a line of its own.
+void explainGrid(const Drawing& drawing, const std::string& id, const std::set<int>& levels, double step,
+                 const char* unit) {
+  std::string coarse;
+  for (const int level : levels) {
+    const std::string apart = formatDigits(step * std::pow(10, level), 3) + unit;
+    if (level == 0)
+      drawing.sheet.explain("fine grid", id + ": grid of " + apart);
+    else
+      coarse += (coarse.empty() ? id + ": grid of " : " and ") + apart;
+  }
+  if (!coarse.empty()) drawing.sheet.explain("grid", coarse);
 }
 
 }  // namespace
+
+std::optional<Vec3> pointUnder(const View& view, const Ground& ground, const Vec2& at) {
+  const Ray ray = screenToRay(view.camera(), view.offSheet(at));
+  auto seen = ground.hit(ray);
+  if (!seen && view.isParallel()) seen = ground.hit({ray.origin, scaled(ray.direction, -1)});
+  return seen ? std::optional(seen->point) : std::nullopt;
+}
 
 void drawGrounds(Drawing& drawing, const std::vector<NamedPoint>& withStems) {
   constexpr double kOfStem = 0.5;
@@ -171,8 +191,7 @@ void drawGrounds(Drawing& drawing, const std::vector<NamedPoint>& withStems) {
     const Vec2 foot = middle ? ground->placeOf(*middle) : ground->foot;
     const double largest = (ground->extent.bottom - ground->extent.top) / 6;
     const double step = std::min(largest, roundedDown(*width / ground->scaleAt(foot).y));
-    if (drawGrid(drawing, *ground, foot, step))
-      drawing.sheet.explain("grid", shape.id + ": grid of " + formatDigits(step, 3) + (ground->isOnEarth ? "°" : ""));
+    explainGrid(drawing, shape.id, drawGrid(drawing, *ground, foot, step), step, ground->isOnEarth ? "°" : "");
   }
 }
 

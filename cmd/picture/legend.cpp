@@ -1,9 +1,12 @@
 // Ticks along the frame; below it the facts of the camera, the symbols that occur, and notes.
 #include <algorithm>
+#include <numbers>
 
 #include "camera/plain_camera.hpp"
 #include "camera/read_lens.hpp"
+#include "numbers/vectors.hpp"
 #include "picture/drawing.hpp"
+#include "picture/rim.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
@@ -29,8 +32,10 @@ constexpr SymbolRow kSymbols[] = {
     {"behind: turn that way", R"(<path class="out hollow" d="M15,0l-9,-6v12Z"/>)"},
     {"outline on the ground", R"(<rect class="area" x="1" y="-5" width="17" height="11"/><rect class="rim" x="1" y="-5" width="17" height="11"/>)"},
     {"down to the ground", R"(<path class="stem" d="M0,0h19"/>)"},
+    {"fine grid", R"(<path class="grid g0" d="M0,0h19"/>)"},
     {"grid", R"(<path class="grid g1" d="M0,0h19"/>)"},
     {"horizon", R"(<path class="horizon" d="M0,0h19"/>)"},
+    {"end of the lens", R"(<path class="end" d="M0,0h19"/>)"},
 };
 // clang-format on
 
@@ -48,8 +53,20 @@ std::string placeText(const View& view) {
   const HeadingPitchRoll angles = headingPitchRollOf(plainPose(view.camera().pose()), true);
   const std::string roll = degrees(angles.roll.value, 2);
   return degrees(place.lat, 4) + " " + degrees(place.lon, 4) + ", " + digits(place.height, 5) + " m; heading " +
-         degrees(std::fmod(angles.heading.value + 360, 360), 2) + ", pitch " + degrees(angles.pitch.value, 2) +
-         (roll == "0°" ? "" : ", roll " + roll);
+         degrees(std::fmod(std::round(angles.heading.value * 100) / 100 + 360, 360), 2) + ", pitch " +
+         degrees(angles.pitch.value, 2) + (roll == "0°" ? "" : ", roll " + roll);
+}
+
+/// The angle that the picture shows between the middles of two opposite sides, by their places on its rim.
+double degreesBetween(const Camera& camera, double from, double to) {
+  const Rim rim(camera);
+  const Pose pose = camera.pose();
+  const bool isAcross = from > 3;
+  const auto turn = [&](double side) {
+    const Vec3 way = rim.at(side).ray.direction;
+    return std::atan2(detail::dot(way, isAcross ? pose.right() : pose.up()), detail::dot(way, pose.forward()));
+  };
+  return (turn(to) - turn(from)) * 180 / std::numbers::pi;
 }
 
 std::vector<std::string> factsOf(const View& view) {
@@ -61,8 +78,8 @@ std::vector<std::string> factsOf(const View& view) {
   if (view.isParallel())
     facts.push_back(digits(p.right() - p.left()) + " × " + digits(p.top() - p.bottom()) + " wide, orthographic");
   else
-    facts.push_back("fov " + digits(p.fov(Fov::horizontal), 3) + "° × " + digits(p.fov(Fov::vertical), 3) + "°" +
-                    (view.hasLens() ? " without the lens" : ""));
+    facts.push_back("fov " + digits(degreesBetween(camera, 3.5, 1.5), 3) + "° × " +
+                    digits(degreesBetween(camera, 2.5, 0.5), 3) + "°");
   if (const auto lens = lensOf(camera)) {
     const double limit = lens->limitDegrees();
     facts.push_back(std::string(nameOf(lens->model())) + " lens" +

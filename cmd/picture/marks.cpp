@@ -1,5 +1,6 @@
 // Dots of points, crosses of pixels, arrows of pairs, and triangles of what lies outside.
 #include <algorithm>
+#include <numbers>
 
 #include "numbers/vectors.hpp"
 #include "picture/drawing.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 using detail::dot;
 
-constexpr double kOfDot = 4.5, kBesideDot = 5, kOfPixelMark = 8, kOfPairMark = 6;
+constexpr double kBesideDot = 5, kOfPixelMark = 8, kOfPairMark = 6;
 
 void nameMark(const Drawing& drawing, Label label, const Vec2& at, double radius) {
   if (label.text.empty() && label.note.empty()) return;
@@ -42,11 +43,29 @@ PixelHit hitOf(const View& view, const Vec2& pixel) {
 
 }  // namespace
 
+void settleDots(Drawing& drawing, const std::vector<NamedPoint>& points) {
+  constexpr double kShare = 0.03, kSmallest = 1;  // of the picture under the dots
+  const Rect& f = drawing.view.frame();
+  const double picture = (f.right - f.left) * (f.bottom - f.top);
+  double count = 0, underNames = 0;
+  for (const NamedPoint& point : points) {
+    if (!drawing.view.place(point.point, Extent::anyDistance)) continue;
+    const Vec2 size = Label{point.name, kOfPoint, rankPoint, false, point.note}.size();
+    ++count;
+    underNames += point.name.empty() && point.note.empty() ? 0 : size.x * size.y;
+  }
+  const double radius = std::sqrt(kShare * picture / (std::numbers::pi * std::max(1.0, count)));
+  drawing.radiusOfDots = std::clamp(radius, kSmallest, drawing.radiusOfDots);
+  drawing.namesPoints = underNames <= picture;
+  if (!drawing.namesPoints)
+    drawing.notes.push_back(formatNumber(count) + " points are too many for their names, which are left out");
+}
+
 void drawPoint(Drawing& drawing, const NamedPoint& point) {
   const View& view = drawing.view;
   const auto at = view.place(point.point, Extent::anyDistance);
-  if (!at && !point.name.empty()) addOutside(drawing, point.name, point.point);
-  if (!at) return;
+  if (!at && !point.name.empty() && drawing.namesPoints) return addOutside(drawing, point.name, point.point);
+  if (!at) return void(++drawing.moreOutside);
   const auto own = std::find_if(view.shapes().begin(), view.shapes().end(), [&](const SceneObject& shape) {
     return shape.id == point.name && !point.name.empty();
   });
@@ -58,9 +77,9 @@ void drawPoint(Drawing& drawing, const NamedPoint& point) {
     note += (note.empty() ? "" : ", ") + std::string(isFar ? "beyond far" : "nearer than near");
     isHollow = true;
   }
-  drawing.sheet.addDot(*at, kOfDot, isHollow);
+  drawing.sheet.addDot(*at, drawing.radiusOfDots, isHollow);
   drawing.sheet.explain(isHollow ? "point not seen" : "point");
-  nameMark(drawing, {point.name, kOfPoint, rankPoint, isHollow, note}, *at, kBesideDot);
+  if (drawing.namesPoints) nameMark(drawing, {point.name, kOfPoint, rankPoint, isHollow, note}, *at, kBesideDot);
 }
 
 void drawPixel(Drawing& drawing, const Vec2& pixel) {
@@ -81,52 +100,60 @@ void drawPixel(Drawing& drawing, const Vec2& pixel) {
 }
 
 void drawPairs(Drawing& drawing, const std::vector<NamedPoint>& points) {
-  constexpr double kTooSmall = 8, kEnlarged = 36, kBeforeDot = 6, kShortest = 1;
+  constexpr double kTooSmall = 8, kEnlarged = 36, kBeforeDot = 6, kShortest = 1, kSmallestMark = 2;
+  constexpr double kRounding = 0.001;  // pixels
   const View& view = drawing.view;
   Sheet& sheet = drawing.sheet;
   struct Pair {
     const NamedPoint* point;
-    Vec2 from, to;  ///< on the sheet
+    Vec2 from;  ///< on the sheet
+    std::optional<Vec2> to;
   };
   std::vector<Pair> pairs;
-  std::size_t count = 0;
-  for (const NamedPoint& point : points) {
-    if (!point.pixel) continue;
-    ++count;
-    if (const auto to = view.pixelOf(point.point)) pairs.push_back({&point, view.onSheet(*point.pixel), *to});
-  }
-  if (count == 0) return;
-  std::string text = std::to_string(count) + (count == 1 ? " pair" : " pairs");
-  if (count > pairs.size()) text += ", " + std::to_string(count - pairs.size()) + " without a computed pixel";
+  std::size_t count = 0;  // of those with both
   double squares = 0, largest = 0;
   std::string worst;
-  for (const Pair& pair : pairs) {
-    const double miss = distance(pair.from, pair.to);
+  for (const NamedPoint& point : points) {
+    if (!point.pixel) continue;
+    pairs.push_back({&point, view.onSheet(*point.pixel), view.pixelOf(point.point)});
+    if (!pairs.back().to) continue;
+    const double miss = distance(pairs.back().from, *pairs.back().to);
+    ++count;
     squares += miss * miss;
-    if (miss > largest) largest = miss, worst = pair.point->name;
+    if (miss > largest) largest = miss, worst = point.name;
   }
-  const double zoom = largest > 0 && largest < kTooSmall ? roundedDown(kEnlarged / largest) : 1;
+  if (pairs.empty()) return;
+  std::string text = std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs");
+  if (count < pairs.size()) text += ", " + std::to_string(pairs.size() - count) + " without a computed pixel";
+  const double least = kRounding * view.scale();
+  const bool areSmall = largest < kTooSmall;
+  const double zoom = areSmall && largest >= least ? roundedDown(kEnlarged / largest) : 1;
   for (const Pair& pair : pairs) {
-    if (zoom == 1 && holds(view.frame(), pair.from)) {
-      sheet.addCross(pair.from, kOfPairMark, false);
-      sheet.explain("pixel of the record");
+    const double miss = pair.to ? distance(pair.from, *pair.to) : HUGE_VAL;
+    if (!(pair.to && areSmall) && holds(view.frame(), pair.from)) {
+      const double size = std::clamp(miss / 2, kSmallestMark, kOfPairMark);  // so that it hides no miss
       const SceneObject* const hit = view.shapeAt(pair.from);
-      if (!view.shapes().empty())
-        nameMark(drawing, {"hits " + (hit ? hit->id : "nothing"), kOfPixel, rankPixel}, pair.from, kOfPairMark);
+      sheet.addCross(pair.from, size, false);
+      sheet.explain("pixel of the record");
+      nameMark(drawing,
+               {pair.to ? "" : pair.point->name, kOfPixel, rankPixel, false,
+                view.shapes().empty() ? "" : "hits " + (hit ? hit->id : "nothing")},
+               pair.from, size);
     }
-    Vec2 end = between(pair.from, pair.to, zoom);
-    const double size = distance(pair.from, end);
-    if (size <= kShortest) continue;
-    if (zoom == 1 && size > 2 * kBeforeDot) end = between(pair.from, end, 1 - kBeforeDot / size);
+    if (!pair.to || miss < least || miss * zoom <= kShortest) continue;
+    Vec2 end = between(pair.from, *pair.to, zoom);
+    if (zoom == 1 && miss > 2 * kBeforeDot) end = between(pair.from, end, 1 - kBeforeDot / miss);
     sheet.addArrow(pair.from, end, "miss");
     const std::string enlarged =
-        "from the record's pixel to the computed one, " + formatDigits(zoom, 3) + " times as long";
+        "from the record's pixel towards the computed one, " + formatDigits(zoom, 3) + " times as long as the miss";
     sheet.explain("from the record's pixel to the computed one", zoom > 1 ? enlarged : "");
   }
-  if (!pairs.empty()) {
+  if (count > 0 && largest < least) {
+    text += ": the pixels agree within " + formatNumber(kRounding) + " px";
+  } else if (count > 0) {
     const auto pixels = [&](double units) { return formatDigits(units / view.scale(), 3) + " px"; };
-    text += ": miss rms " + pixels(std::sqrt(squares / static_cast<double>(pairs.size()))) + ", largest " +
-            pixels(largest) + (worst.empty() ? "" : " (" + worst + ")");
+    text += ": miss rms " + pixels(std::sqrt(squares / static_cast<double>(count))) + ", largest " + pixels(largest) +
+            (worst.empty() ? "" : " (" + worst + ")");
   }
   drawing.notes.push_back(text);
 }
@@ -149,7 +176,7 @@ void drawOutside(Drawing& drawing) {
   Sheet& sheet = drawing.sheet;
   const Rect& f = sheet.frame;
   const Vec2 middle = middleOf(f), half{(f.right - f.left) / 2, (f.bottom - f.top) / 2};
-  std::size_t more = 0;
+  std::size_t more = drawing.moreOutside;
   for (const Drawing::Outside& each : drawing.outside) {
     const double x = std::fabs(each.way.x) / half.x, y = std::fabs(each.way.y) / half.y;
     const bool isAside = x >= y;
@@ -171,7 +198,8 @@ void drawOutside(Drawing& drawing) {
     }
     more += isDrawn ? 0 : 1;
   }
-  if (more > 0) drawing.notes.push_back(std::to_string(more) + " more outside");
+  const bool isAll = more == drawing.outside.size() + drawing.moreOutside;
+  if (more > 0) drawing.notes.push_back(std::to_string(more) + (isAll ? " outside" : " more outside"));
 }
 
 }  // namespace viewproj::cmd

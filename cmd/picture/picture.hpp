@@ -23,10 +23,10 @@ struct NamedSegment {
   Vec3 a, b;
 };
 
-/// An outline on the ground.
+/// Outlines on the ground, and of holes in them.
 struct NamedArea {
   std::string name;
-  std::vector<Vec3> corners;
+  std::vector<std::vector<Vec3>> rings;
 };
 
 struct PictureContent {

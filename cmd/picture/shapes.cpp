@@ -4,7 +4,7 @@
 
 #include "numbers/vectors.hpp"
 #include "picture/drawing.hpp"
-#include "picture/ground.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -130,14 +130,21 @@ bool isHidden(const View& view, const Face& face) {
 }
 
 /// The outline, if its pieces join from end to end.
-std::vector<Vec2> loopOf(const Pieces& outline) {
+Line loopOf(const Pieces& outline) {
   constexpr double kJoin = 1;
-  std::vector<Vec2> loop;
-  for (const Piece& piece : outline) {
-    if (!loop.empty() && distance(loop.back(), piece.line.front()) > kJoin) return {};
-    loop.insert(loop.end(), piece.line.begin(), piece.line.end());
+  const std::vector<Line> lines = joined(outline);
+  return lines.size() == 1 && distance(lines[0].back(), lines[0].front()) <= kJoin ? lines[0] : Line();
+}
+
+/// What a picture shows of something convex is convex without a lens: the hull of the pieces of its edge and of those
+/// places of the picture's rim that it is seen at. So no polygon is clipped, and nothing behind the eye is divided by.
+Line convexOutline(const Drawing& drawing, const Face& face) {
+  Line corners = pointsOf(face.outline);
+  for (const Vec2& at : drawing.rim) {
+    const Hits hits = hitsOf(drawing.view.rayAt(at), *face.shape);
+    if (hits.count > 0 && hits.hits[0].face == face.side) corners.push_back(at);
   }
-  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
+  return hull(std::move(corners));
 }
 
 /// Far ones first, and first of all what the eye is in.
@@ -146,13 +153,8 @@ void fillFaces(const Drawing& drawing, std::vector<Face>& faces) {
   std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.away > b.away; });
   for (const Face& face : faces) {
     if (isHidden(view, face)) continue;
-    const auto loop = view.hasLens() ? loopOf(face.outline) : std::vector<Vec2>();
-    drawing.sheet.addFilled(Layer::faces, face.style, loop);
-    if (!loop.empty()) continue;
-    fillConvex(drawing, Layer::faces, face.style, face.outline, [&](const Vec2& at) {
-      const Hits hits = hitsOf(view.rayAt(at), *face.shape);
-      return hits.count > 0 && hits.hits[0].face == face.side;
-    });
+    const Line loop = view.hasLens() ? loopOf(face.outline) : Line();
+    drawing.sheet.addFilled(Layer::faces, face.style, {loop.empty() ? convexOutline(drawing, face) : loop});
   }
 }
 
@@ -189,6 +191,28 @@ void nameShape(Drawing& drawing, const SceneObject& shape, const Pieces& pieces,
   label.addSpot(10.5, {seen.left - width / 2 - 5, middle.y});
   label.addSpotsAround(middle, 6, 1);
   drawing.sheet.labels.add(std::move(label));
+}
+
+/// The plane of a ring, or the surface of its height.
+SceneObject groundWith(const std::vector<Vec3>& ring, bool worldIsEcef) {
+  if (worldIsEcef) return {"", HeightSurface{ecefToGeodetic(ring[0]).height}};
+  Vec3 normal;
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    normal = sum(normal, 1, detail::crossOf(sum(ring[i - 1], -1, ring[0]), sum(ring[i], -1, ring[0])));
+  return {"", Plane{ring[0], length(normal) > 0 ? unit(normal) : Vec3{0, 0, 1}}};
+}
+
+/// Whether a place of the ground is within an odd number of rings.
+bool isWithin(const std::vector<std::vector<Vec3>>& rings, const Vec3& point, const Ground& ground) {
+  const Vec2 place = ground.placeOf(point);
+  bool isIn = false;
+  for (const std::vector<Vec3>& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ground.way(place, ground.placeOf(ring[i]));
+      const Vec2 b = sum(a, 1, ground.way(ground.placeOf(ring[i]), ground.placeOf(ring[(i + 1) % ring.size()])));
+      if ((a.y > 0) != (b.y > 0) && a.x + (b.x - a.x) * a.y / (a.y - b.y) > 0) isIn = !isIn;
+    }
+  return isIn;
 }
 
 /// A place that is so far along a line, and the direction of the line there.
@@ -239,21 +263,33 @@ void drawSegment(Drawing& drawing, const NamedSegment& segment) {
 }
 
 void drawArea(Drawing& drawing, const NamedArea& area) {
-  if (area.corners.empty()) return;
+  if (area.rings.empty()) return;
   const auto& shapes = drawing.view.shapes();
   const auto ground = std::find_if(shapes.begin(), shapes.end(), isGround);
   const CurveOptions onGround{.except = ground == shapes.end() ? nullptr : &*ground};
-  Pieces outline;
-  for (std::size_t i = 0; i < area.corners.size(); ++i)
-    append(outline, piecesOf(drawing.view, area.corners[i], area.corners[(i + 1) % area.corners.size()], onGround));
-  if (outline.empty() && isNamed(drawing, area.name)) addOutside(drawing, area.name, pointOf(area.corners[0]));
-  if (outline.empty()) return;
-  drawing.sheet.addPieces(outline, "rim", 1);
-  const auto points = pointsOf(outline), loop = loopOf(outline);
-  drawing.sheet.addFilled(Layer::areas, "area", loop.empty() ? hull(points) : loop);
+  std::vector<Line> lines;
+  Line largest;
+  for (const std::vector<Vec3>& ring : area.rings) {
+    Pieces outline;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      append(outline, piecesOf(drawing.view, ring[i], ring[(i + 1) % ring.size()], onGround));
+    drawing.sheet.addPieces(outline, "rim", 1);
+    const std::vector<Line> parts = joined(outline);
+    lines.insert(lines.end(), parts.begin(), parts.end());
+    if (Line points = pointsOf(outline); !(largerSide(boundsOf(points)) <= largerSide(boundsOf(largest))))
+      largest = std::move(points);
+  }
+  const auto under = groundOf(groundWith(area.rings[0], drawing.view.worldIsEcef()), drawing.view.eye());
+  const std::vector<Line> outlines = outlinesWithin(drawing.rim, lines, [&](const Vec2& at) {
+    const auto point = under->holdsEye ? std::nullopt : pointUnder(drawing.view, *under, at);
+    return point && isWithin(area.rings, *point, *under);
+  });
+  if (outlines.empty() && isNamed(drawing, area.name)) addOutside(drawing, area.name, pointOf(area.rings[0][0]));
+  if (outlines.empty()) return;
+  drawing.sheet.addFilled(Layer::areas, "area", outlines);
   drawing.sheet.explain("outline on the ground");
   if (!isNamed(drawing, area.name)) return;
-  const Vec2 middle = middleOf(boundsOf(points));
+  const Vec2 middle = middleOf(largest.empty() ? drawing.view.frame() : boundsOf(largest));
   Label label{area.name, kOfShape, rankShape};
   label.addSpot(0, middle);
   label.addSpotsAround(middle, 6, 1);

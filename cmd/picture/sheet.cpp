@@ -86,15 +86,23 @@ void Sheet::addPieces(const Pieces& pieces, const std::string& style, double wei
   constexpr double kOfHidden = 0.4, kShortest = 0.05;
   for (const Piece& piece : pieces) {
     if (!(largerSide(boundsOf(piece.line)) > kShortest)) continue;
-    if (hasPhoto) addLine(Layer::halo, "halo", piece.line);
+    if (hasPhoto) addLine(Layer::halo, piece.isHidden ? "halo thin hid" : "halo", piece.line);
     addLine(Layer::lines, style + (piece.isHidden ? " hid" : ""), piece.line);
     labels.addInk(piece.line, weight * (piece.isHidden ? kOfHidden : 1));
     if (piece.isHidden) explain("hidden");
   }
 }
 
-void Sheet::addFilled(Layer layer, const std::string& style, const std::vector<Vec2>& corners) {
-  if (corners.size() > 2) in(layer).areas += path(style + (hasPhoto ? " glass" : ""), dataOf(corners, true));
+void Sheet::addThin(Layer layer, const std::string& style, const Line& line, bool isClosed) {
+  if (hasPhoto) addLine(layer, "halo thin", line, isClosed);
+  addLine(layer, style, line, isClosed);
+}
+
+void Sheet::addFilled(Layer layer, const std::string& style, const std::vector<Line>& outlines) {
+  std::string data;
+  for (const Line& outline : outlines)
+    if (outline.size() > 2) data += dataOf(outline, true);
+  if (!data.empty()) in(layer).areas += path(style + (hasPhoto ? " glass" : ""), data);
 }
 
 void Sheet::addText(Layer layer, const TextStyle& style, const Vec2& at, const char* anchor, const std::string& text) {
@@ -109,8 +117,10 @@ void Sheet::addSymbol(const std::string& elements, const Vec2& at) {
 }
 
 void Sheet::addDot(const Vec2& at, double radius, bool isHollow) {
-  in(Layer::marks).areas += styled("circle", isHollow ? "dot hollow" : "dot") + attribute("cx", number(at.x)) +
-                            attribute("cy", number(at.y)) + attribute("r", number(radius)) + "/>\n";
+  constexpr double kSmall = 3;
+  const std::string style = std::string(isHollow ? "dot hollow" : "dot") + (radius < kSmall ? " small" : "");
+  in(Layer::marks).areas += styled("circle", style) + attribute("cx", number(at.x)) + attribute("cy", number(at.y)) +
+                            attribute("r", number(radius)) + "/>\n";
   labels.addMark(around(at, radius, radius));
 }
 
@@ -161,8 +171,9 @@ std::string Sheet::svg(const std::string& title) {
   addText(Layer::texts, kTitle, {frame.left, kTitleLine}, "start", title);
   const Vec2 size{std::max(end_.x, frame.right) + kMargin, end_.y + kMargin};
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(size.x) + " " + number(size.y) +
-                    "\" font-family=\"Helvetica, Arial, DejaVu Sans, sans-serif\">\n<title>" + escaped(title) +
-                    "</title>\n" + kStyles[0] + "<clipPath id=\"frame\"><rect" + boxOf(frame) + "/></clipPath>\n" +
+                    "\" font-family=\"Helvetica, Arial, DejaVu Sans, sans-serif\"" +
+                    (hasPhoto ? attribute("class", "over") : "") + ">\n<title>" + escaped(title) + "</title>\n" +
+                    kStyles[0] + "<clipPath id=\"frame\"><rect" + boxOf(frame) + "/></clipPath>\n" +
                     styled("rect", "page") + boxOf({0, 0, size.x, size.y}) + "/>\n" + styled("rect", "sky") +
                     boxOf(frame) + "/>\n<g clip-path=\"url(#frame)\">\n";
   for (std::size_t i = 0; i < kLayers; ++i) {

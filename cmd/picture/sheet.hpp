@@ -34,7 +34,9 @@ class Sheet {
   void addLine(Layer layer, const std::string& style, const std::vector<Vec2>& line, bool isClosed = false);
   /// Lines of a style, thin and dashed where hidden. weight: how much names avoid them.
   void addPieces(const Pieces& pieces, const std::string& style, double weight);
-  void addFilled(Layer layer, const std::string& style, const std::vector<Vec2>& corners);
+  /// As addLine, but on a photo set off from it.
+  void addThin(Layer layer, const std::string& style, const Line& line, bool isClosed = false);
+  void addFilled(Layer layer, const std::string& style, const std::vector<Line>& outlines);
   void addText(Layer layer, const TextStyle& style, const Vec2& at, const char* anchor, const std::string& text);
   /// Of another svg, moved.
   void addSymbol(const std::string& elements, const Vec2& at);

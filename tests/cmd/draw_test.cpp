@@ -8,10 +8,12 @@
 
 #include "catch.hpp"
 #include "picture/flat.hpp"
+#include "picture/ground.hpp"
 #include "picture/picture.hpp"
 #include "picture/rim.hpp"
 #include "picture/sphere_tree.hpp"
 #include "random.hpp"
+#include "viewproj/geodesy.hpp"
 #include "viewproj/lens.hpp"
 
 using namespace viewproj;
@@ -241,6 +243,61 @@ TEST_CASE("Through a lens a line follows its true curve, also where it passes be
       }
   }
   CHECK(lines > 500);
+}
+
+TEST_CASE("Land is exactly where a ray hits the ground, through any lens and from any pose") {
+  const Viewport viewport{.width = 960, .height = 720};
+  const auto through = [&](const Pose& pose, double focal, const Lens& lens) {
+    return withLens(makeCamera(pose, intrinsics(focal, focal, 480, 360, viewport, 0, kInfiniteFar), viewport), lens);
+  };
+  int land = 0, sky = 0;
+  for (unsigned trial = 3; trial < 60; trial += 5) {
+    Random random(trial);
+    const bool isOnEarth = trial % 2 == 0;
+    const double height = random.logUniform(1, isOnEarth ? 1e7 : 100);
+    const Vec3 eye{isOnEarth ? kWgs84.equatorial + height : 0, 0, isOnEarth ? 0 : height};
+    // Near the horizon; every third camera looks straight up or down.
+    const Vec3 way{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.5, 0.5)};
+    const Vec3 away = isOnEarth ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    const Pose pose =
+        lookAlong(eye, trial % 3 > 0 ? way : away,
+                  {0.3 * random.uniform(-1, 1) + (isOnEarth ? 1 : 0.1), 0.2, isOnEarth ? 0.1 : 1.0}, Handedness::right);
+    const Camera cameras[] = {
+        makeCamera(pose, perspective(random.uniform(20, 110), viewport, 0), viewport),
+        through(pose, random.uniform(300, 600), brownLens({-0.25, 0.05, 0})),
+        through(pose, random.uniform(120, 400), fisheyeLens({})),
+        through(pose, random.uniform(200, 400), fisheyeLens({}, random.uniform(50, 90))),
+    };
+    const double surface = isOnEarth ? random.uniform(-10, 0.5) : 0;
+    const SceneObject ground{"ground", isOnEarth ? decltype(SceneObject::shape)(HeightSurface{surface})
+                                                 : decltype(SceneObject::shape)(Plane{{0, 0, 0}, {0, 0, 1}})};
+    for (const Camera& camera : cameras) {
+      const std::string svg = pictureOf(camera, {.title = "", .worldIsEcef = isOnEarth, .shapes = {ground}});
+      const auto rings = linesOf(svg, "land");
+      const ScreenBox frame = frameOf(svg);
+      INFO("trial " << trial << ", camera " << &camera - cameras);
+      for (double x = 7; x < 960; x += 31)
+        for (double y = 5; y < 720; y += 29) {
+          const Vec2 at{frame.left + x, frame.top + y};
+          const Ray ray = screenToRay(camera, {x, y});
+          const bool hits = std::isfinite(ray.direction.x) && hitsOf(ray, ground).count > 0;
+          bool isLand = false;
+          double toEdge = HUGE_VAL;
+          for (const auto& ring : rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+              const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+              toEdge = std::min(toEdge, distanceToSegment(at, a, b));
+              if ((a.y > at.y) != (b.y > at.y) && a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y) > at.x)
+                isLand = !isLand;
+            }
+          if (toEdge < 0.5) continue;
+          ++(hits ? land : sky);
+          if (isLand != hits) FAIL_CHECK("at " << x << ", " << y << " a ray says " << hits);
+        }
+    }
+  }
+  CHECK(land > 3'000);
+  CHECK(sky > 3'000);
 }
 
 TEST_CASE("No two names meet, and no name and dot, in a crowd and in the samples' pictures") {
