@@ -61,7 +61,8 @@ class JsonReader final : public RecordReader {
 
   void takeFields(std::string_view text, RecordSink& sink) {
     if (!hasKey()) makeKey();
-    take(key_, {text, nullptr, fields_.values, fields_.numbers, fields_.points}, sink, [&] { return fields_.schema(text); });
+    take(key_, {text, nullptr, fields_.values, fields_.numbers, fields_.points}, sink,
+         [&] { return fields_.schema(text); });
   }
 
   void makeKey() {

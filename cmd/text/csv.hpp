@@ -22,10 +22,10 @@ char separatorOf(std::string_view line);
 struct CsvRecord {
   std::vector<std::string_view> fields;
   std::vector<double> numbers;  ///< of the fields, where the scan has read them; kNoNumber of others
-  std::size_t end = 0;      ///< the offset of its line break, or the text's size
-  std::string fault = {};   ///< what is wrong with it; empty if nothing is
-  std::size_t faultAt = 0;  ///< and where
-  bool isOpen = false;      ///< the text ends inside of quotes
+  std::size_t end = 0;          ///< the offset of its line break, or the text's size
+  std::string fault = {};       ///< what is wrong with it; empty if nothing is
+  std::size_t faultAt = 0;      ///< and where
+  bool isOpen = false;          ///< the text ends inside of quotes
 
   /// Splits the record at the beginning of a text. Of more than `most` fields it keeps one more.
   void split(std::string_view text, char separator, std::size_t most = SIZE_MAX);

@@ -21,8 +21,8 @@ inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 /// the largest double and 0 next to zero. Returns the end of the number, or null if there is none.
 const char* readNumber(const char* begin, const char* end, double& number);
 
-/// Returns the end of the finite number that begins at `at`, or null if JSON does not allow it: 01, 1., .5, 1e999. Reads
-/// it if it has a fraction or an exponent. Integers are often names: for them `number` stays as it is.
+/// Returns the end of the finite number that begins at `at`, or null if JSON does not allow it: 01, 1., .5, 1e999.
+/// Reads it if it has a fraction or an exponent. Integers are often names: for them `number` stays as it is.
 const char* passJsonNumber(const char* at, const char* end, double& number);
 
 /// The double nearest to a decimal text. Blanks around it and a leading + are allowed. Nothing if the whole text is not

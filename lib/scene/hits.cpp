@@ -59,7 +59,8 @@ std::optional<Hit> hitAt(const Ray& ray, const Product& numerator, const Divisor
 /// All points of a plane across an axis have one coordinate.
 Known knownOf(const Plane& plane) noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0) return {axis, plane.point[axis] + 0.0};  // no -0
+    if (plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0)
+      return {axis, plane.point[axis] + 0.0};  // no -0
   return {};
 }
 
