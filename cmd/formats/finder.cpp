@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -61,9 +62,12 @@ std::optional<double> nearness(const Candidate& first, const Candidate& part) {
         part.steps.size() > depth && std::equal(first.steps.begin(), first.steps.end() - 1, part.steps.begin());
     if (!isPoseKind(part.kind) || !isBeside) return std::nullopt;
   }
-  std::vector<std::string> a = first.tag, b = part.tag;
+  const std::vector<std::string>& a = first.tag;
+  std::vector<std::string> words;
   if (!first.isStarred() && part.isStarred())
-    std::erase_if(b, [](const std::string& word) { return isDigit(word[0]); });
+    std::copy_if(part.tag.begin(), part.tag.end(), std::back_inserter(words),
+                 [](const std::string& word) { return !isDigit(word[0]); });
+  const std::vector<std::string>& b = !first.isStarred() && part.isStarred() ? words : part.tag;
   if (a == b) return score + 3;
   if (includes(a, b)) return score + 2;
   if (includes(b, a)) return score + 1 - 0.3 * static_cast<double>(b.size() - a.size());
@@ -73,8 +77,8 @@ std::optional<double> nearness(const Candidate& first, const Candidate& part) {
     });
   };
   if (isAmong(part.kind, "S w h")) return score - 2;
-  const bool leads = isPoseKind(part.kind) && !part.isStarred() && towardOf(part);
-  if (hasOther(a, b) && hasOther(b, a) && !leads) return std::nullopt;
+  const auto leads = [&] { return isPoseKind(part.kind) && !part.isStarred() && towardOf(part); };
+  if (hasOther(a, b) && hasOther(b, a) && !leads()) return std::nullopt;
   return score - 2;
 }
 
