@@ -28,6 +28,8 @@ struct CameraEntry {
   /// Our document of the camera. Throws InputError naming the file's own field. Calls are one at a time.
   std::function<Json()> document = nullptr;
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
+  /// It is a straightened picture of another camera, or the lens of others without a view.
+  bool isOfAnother = false;
 };
 
 /// The cameras of a file, as a format finds them.
@@ -88,6 +90,8 @@ class CameraSet {
   std::size_t size() const { return import_.cameras.size(); }
   /// The name in the file; empty if it has none.
   const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
+  /// See CameraEntry.
+  bool isOfAnother(std::size_t which) const { return import_.cameras[which].isOfAnother; }
   /// The same of a document that was read of it: its own name, which options may have set, counts first.
   std::string nameOf(std::size_t which, const Document& read) const;
   /// The shortest text after # that picks only this camera.

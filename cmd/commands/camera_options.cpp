@@ -197,9 +197,10 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");
   Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, {}, ""};
   if (!worldFromCamera_.empty() || !cameraFromWorld_.empty()) {
-    opening.poses = worldFromCamera_.empty() ? cameraFromWorld_ : worldFromCamera_;
-    opening.direction = worldFromCamera_.empty() ? "cameraFromWorld" : "worldFromCamera";
-    requirePoseCounts(worldFromCamera_.empty() ? "--camera-from-world" : "--world-from-camera");
+    const bool isInverse = worldFromCamera_.empty();
+    opening.poses = isInverse ? cameraFromWorld_ : worldFromCamera_;
+    opening.direction = isInverse ? "cameraFromWorld" : "worldFromCamera";
+    requirePoseCounts(isInverse ? "--camera-from-world" : "--world-from-camera");
   }
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
   if (!name && !opening.poses.empty()) return {openPoses(opening, std::move(all)), std::nullopt};

@@ -50,19 +50,16 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   return readCamera(document, file.reading);
 }
 
-/// Leaves out what is no other camera, where there are others.
-void keepCameras(std::vector<Chosen>& cameras, const std::string& source) {
-  const auto leaveOut = [&](const auto& isNone, const char* what) {
-    std::vector<std::string> names;
-    for (const Chosen& camera : cameras)
-      if (isNone(camera)) names.push_back("#" + camera.name);
-    if (names.empty() || names.size() == cameras.size()) return;
-    note(source + ": left out: " + visible(joined(names)) + ", " + what + "; FILE#NAME takes one");
-    std::erase_if(cameras, isNone);
-  };
-  leaveOut([](const Chosen& camera) { return camera.name.starts_with("rectified"); },
-           "the straightened picture of another");
-  leaveOut([](const Chosen& camera) { return camera.name == "K"; }, "the lens without a view");
+/// Of all cameras of a file, leaves out what is of another camera, where there are others.
+std::vector<std::size_t> camerasOnce(const CameraSet& cameras, std::vector<std::size_t> which) {
+  std::vector<std::string> names;
+  for (const std::size_t i : which)
+    if (cameras.isOfAnother(i)) names.push_back("#" + cameras.pickOf(i));
+  if (which.size() < cameras.size() || names.empty() || names.size() == which.size()) return which;
+  note(cameras.name() + ": left out: " + visible(joined(names)) +
+       (names.size() == 1 ? ", no camera of its own" : ", no cameras of their own") + "; FILE#NAME takes one");
+  std::erase_if(which, [&](std::size_t i) { return cameras.isOfAnother(i); });
+  return which;
 }
 
 std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
@@ -71,12 +68,11 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   std::unordered_map<std::string, std::shared_ptr<Json>> documents;  // by name
   for (const auto& [cameras, which] : files) {
     std::vector<Chosen> ofFile;
-    for (const std::size_t i : which) {
+    for (const std::size_t i : camerasOnce(*cameras, which)) {
       CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
       const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
       ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced});
     }
-    if (which.size() == cameras->size()) keepCameras(ofFile, cameras->name());
     const bool arePlaced =
         std::any_of(ofFile.begin(), ofFile.end(), [](const Chosen& camera) { return camera.isPlaced; });
     for (Chosen& camera : ofFile) {

@@ -45,7 +45,8 @@ namespace {
 #define ROS_SIZE "size?=image_width|width+image_height|height"
 // The calibration of one camera, and the poses of N views of it.
 #define OPENCV "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES ", " MODELS
-#define VIEWS(R, T) "*: " OPENCV ", cameraFromWorld.rotationVector=" R ", cameraFromWorld.translation=" T "\nK: " OPENCV
+#define VIEWS(R, T) \
+  "*: " OPENCV ", cameraFromWorld.rotationVector=" R ", cameraFromWorld.translation=" T "\n~K: " OPENCV
 // MATLAB's pictures have their height first, and count pixels from 1.
 #define MATLAB                                                                            \
   "K=FocalLength+PrincipalPoint||K||IntrinsicMatrix^T, size?=ImageSize[1,0], distortion=" \
@@ -76,11 +77,11 @@ namespace {
 constexpr Row kRows[] = {
     {"ros", "a camera_info of ROS", "camera_matrix|K|k projection_matrix|P:12|p:12",
      "raw: K=camera_matrix|K|k, " ROS_SIZE ", lens?=distortion_coefficients|D|d, model?=distortion_model\n"
-     "rectified: P=projection_matrix|P|p, " ROS_SIZE,
+     "~rectified: P=projection_matrix|P|p, " ROS_SIZE,
      "header camera_name R r rectification_matrix"},
     {"ros", "", "image.width *.projection:12 *.distortion",
      "raw: K=*.camera_matrix, size=/image.width+/image.height, lens=*.distortion\n"
-     "rectified: P=*.projection, size=/image.width+/image.height",
+     "~rectified: P=*.projection, size=/image.width+/image.height",
      "rectification"},
     {"opencv", "a calibration of OpenCV (YAML, XML, JSON, .npz)",
      K_SHAPES
@@ -95,16 +96,16 @@ constexpr Row kRows[] = {
     {"opencv", "", K_SHAPES " rvecs.0:3|rVector.0:3|rotation_vecs.0:3 !projection_matrix",
      VIEWS("rvecs.*|rVector.*|rotation_vecs.*", "tvecs.*|tVector.*|translation_vecs.*"), NOTHING_READ},
     {"matlab", "a camera of MATLAB", "RadialDistortion TangentialDistortion",
-     "*: " MATLAB
-     ", cameraFromWorld.rotationVector=RotationVectors.*, cameraFromWorld.translation=TranslationVectors.*\nK: " MATLAB,
+     "*: " MATLAB ", cameraFromWorld.rotationVector=RotationVectors.*, "
+     "cameraFromWorld.translation=TranslationVectors.*\n~K: " MATLAB,
      "WorldPoints WorldUnits Estimate* Num* Reproj* Detected* Version RotationMatrices IntrinsicMatrix FocalLength "
      "PrincipalPoint",
      "", 1},
     {"stereo", "a stereo calibration of OpenCV", "M1:9|K1:9|cameraMatrix1:9|camera_matrix_1:9|R1:9 !Camera.fx",
      "1: " STEREO("1", "LEFT") "\n!2: " STEREO("2",
                                                "RIGHT") ", cameraFromWorld.rotation=R, cameraFromWorld.translation=T\n"
-                                                        "rectified1: P=P1, cameraFromWorld=R1, " STEREO_SIZE
-                                                        "\nrectified2: P=P2, cameraFromWorld=R1, " STEREO_SIZE,
+                                                        "~rectified1: P=P1, cameraFromWorld=R1, " STEREO_SIZE
+                                                        "\n~rectified2: P=P2, cameraFromWorld=R1, " STEREO_SIZE,
      "E F Q validRoi* roi* rms* error* *_error image_* board* square* map* newCameraMatrix* M1 M2 K1 K2 D1 D2 R T R1 "
      "R2 "
      "P1 P2 cameraMatrix* distCoeffs*",
@@ -273,7 +274,7 @@ constexpr Row kRows[] = {
 struct RowLine {
   std::string_view names;
   std::vector<Part> parts;
-  bool isThere;
+  bool isThere, isOfAnother;
 };
 
 std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view container) {
@@ -283,7 +284,8 @@ std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view
     rest.remove_prefix(std::min(text.size() + 1, rest.size()));
     RowLine line{};
     const bool isFirstEnough = text.starts_with('!');
-    if (isFirstEnough) text.remove_prefix(1);
+    line.isOfAnother = text.starts_with('~');
+    if (isFirstEnough || line.isOfAnother) text.remove_prefix(1);
     if (const std::size_t colon = text.find(": "); colon < text.find('=')) {
       line.names = text.substr(0, colon);
       text.remove_prefix(colon + 2);
@@ -322,6 +324,7 @@ Import importRow(const Row& row, const Node& root, std::string_view container) {
     std::erase_if(cameras, [&](const CameraEntry& camera) { return earlier.contains(camera.name); });
     for (CameraEntry& camera : cameras) {
       if (!camera.name.empty()) earlier.insert(camera.name);
+      camera.isOfAnother = line.isOfAnother;
       all.cameras.push_back(std::move(camera));
     }
   }

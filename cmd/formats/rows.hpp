@@ -16,7 +16,8 @@ struct Row {
   std::string_view when;  ///< what must be there, see claims.hpp
   /// The cameras, in the grammar of --parts (parts.hpp). Several lines are separated by "\n"; each may begin with the
   /// pattern of its cameras' names and ": ". A line whose required parts are not there has no cameras. Of one that
-  /// begins with "!" this holds for its first part; of the others what is not there is missing.
+  /// begins with "!" this holds for its first part; of the others what is not there is missing. "~"
+  /// marks those of CameraEntry::isOfAnother.
   std::string_view lines;
   std::string_view known = "";       ///< members that say nothing about the picture
   std::string_view containers = "";  ///< where its members may stand, separated by blanks; "." is the file itself
