@@ -6,7 +6,7 @@
 
 #include "camera/fields.hpp"
 #include "camera/write_camera.hpp"
-#include "commands/pasted_camera.hpp"
+#include "commands/pasted/camera_of_matrices.hpp"
 #include "formats/open.hpp"
 #include "formats/words.hpp"
 #include "output/output_file.hpp"

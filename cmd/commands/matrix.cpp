@@ -4,7 +4,7 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "commands/pasted_camera.hpp"
+#include "commands/pasted/camera_of_matrices.hpp"
 #include "commands/world_options.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"

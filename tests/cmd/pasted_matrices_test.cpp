@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "commands/matrix_readings.hpp"
+#include "commands/pasted/readings.hpp"
 #include "parts.hpp"
 #include "random.hpp"
 #include "viewproj/viewproj.hpp"

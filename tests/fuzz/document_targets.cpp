@@ -2,7 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "commands/matrix_report.hpp"
+#include "commands/pasted/report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
 #include "records/model.hpp"

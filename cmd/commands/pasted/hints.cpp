@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "commands/matrix_readings.hpp"
+#include "commands/pasted/readings.hpp"
 #include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd {
@@ -115,7 +115,7 @@ constexpr KindWords kWeakWords[] = {{ReadingKind::pose, "_world_matrix _model _t
                                     {ReadingKind::view, "_modelview"}};
 constexpr double kWeakly = 3;
 
-ReadingKind inverseOf(ReadingKind kind) {
+ReadingKind inverted(ReadingKind kind) {
   using enum ReadingKind;
   return kind == view             ? pose
          : kind == pose           ? view
@@ -145,7 +145,7 @@ KindHint lastHint(std::string_view text, std::initializer_list<std::span<const K
     begin -= first;
   }
   if (hint.kind && (text.find("_inv") != text.npos || text.substr(0, begin).ends_with("_i")))
-    hint.kind = inverseOf(*hint.kind);
+    hint.kind = inverted(*hint.kind);
   return hint;
 }
 

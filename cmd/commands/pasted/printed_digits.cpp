@@ -1,4 +1,4 @@
-#include "commands/printed_digits.hpp"
+#include "commands/pasted/printed_digits.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/matrix_readings.hpp"
+#include "commands/pasted/readings.hpp"
 #include "output/report.hpp"
 
 namespace viewproj::cmd {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "commands/matrix_report.hpp"
+#include "commands/pasted/report.hpp"
 #include "output/matrix_text.hpp"
 #include "text/error.hpp"
 

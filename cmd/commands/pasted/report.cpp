@@ -1,4 +1,4 @@
-#include "commands/matrix_report.hpp"
+#include "commands/pasted/report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "camera/plain_camera.hpp"
+#include "commands/pasted/reading_order.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -177,7 +178,8 @@ std::vector<std::string> notesOn(const Reading& r) {
     notes.emplace_back("Its skew is not 0, and pixels of a skewed grid are not modelled.");
   if (r.kind == ReadingKind::pose)
     notes.emplace_back(
-        "Its axes are those of views. A transform of Unity has RUF, of Unreal FRU, of a robot FLU: --world-from-camera "
+        "Its axes are those of views. A transform of Unity has RUF, of Unreal FRU, of a robot FLU: "
+        "--world-from-camera "
         "FILE --set cameraAxes=FLU.");
   if (!r.camera) return notes;
   const MatrixCamera& camera = *r.camera;

@@ -78,10 +78,6 @@ struct MatrixReadings {
 /// isBesideK: the text has a K in pixels, so that OpenCV's axes are usual.
 MatrixReadings readingsOf(const PastedMatrix& matrix, bool isBesideK = false);
 
-/// Puts the views and poses first whose axes a projection in the same text has in its likeliest reading. lens: its
-/// readings, the likeliest first.
-void orderBeside(std::vector<Reading>& readings, const std::vector<Reading>& lens);
-
 /// The matrix for column vectors in this layout, as four rows of four: rows of 3 and a third or fourth row are filled
 /// up with 0 0 0 1. What rounding left of a 0 in the last row is 0.
 Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);

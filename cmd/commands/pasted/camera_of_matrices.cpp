@@ -1,4 +1,4 @@
-#include "commands/pasted_camera.hpp"
+#include "commands/pasted/camera_of_matrices.hpp"
 
 #include <algorithm>
 #include <cmath>
