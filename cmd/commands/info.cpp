@@ -15,7 +15,7 @@
 #include "commands/outline.hpp"
 #include "commands/pasted/report.hpp"
 #include "commands/world_options.hpp"
-#include "formats/finder.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/open.hpp"
 #include "numbers/arctangent.hpp"
 #include "numbers/vectors.hpp"

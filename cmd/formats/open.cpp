@@ -9,7 +9,7 @@
 #include "camera/read_pose.hpp"
 #include "formats/claims.hpp"
 #include "formats/colmap.hpp"
-#include "formats/finder.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/parts.hpp"
 #include "formats/poses.hpp"
 #include "formats/rows.hpp"

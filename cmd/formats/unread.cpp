@@ -10,7 +10,7 @@
 #include <unordered_set>
 
 #include "camera/fields.hpp"
-#include "formats/finder.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/parts.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
-#include "formats/finder.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/open.hpp"
 #include "formats/parts.hpp"
 #include "formats/rows.hpp"

@@ -1,4 +1,4 @@
-#include "formats/candidates.hpp"
+#include "formats/finder/candidates.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,207 @@
+// The lens and the size of a line.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "formats/finder/line.hpp"
+#include "formats/parts.hpp"
+#include "formats/words.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+std::optional<std::array<double, 2>> centreOf(const LineDraft& line) {
+  std::vector<double> k;
+  for (const Chosen& each : line.used) k.insert(k.end(), each->numbers.begin(), each->numbers.end());
+  if (k.size() == 9) return std::array{k[2], k[5]};
+  if (k.size() == 3 || k.size() == 4) return std::array{k[k.size() - 2], k[k.size() - 1]};
+  return std::nullopt;
+}
+
+/// A focal length that is short beside the picture is in millimetres, which the size of a pixel divides. lens: the
+/// parts of K.
+void putUnit(LineDraft& line, const Candidates& all, const std::vector<Chosen>& lens, double width) {
+  const std::string focal = lens.front()->path();
+  const double f = lens.front()->numbers.front();
+  if (line.parts.front().first != "K" || f >= kLeastFocal * width) return;
+  const auto pixel = bestOf(*line.first, all, "pixel");
+  if (!pixel || f < 1 || lens.front()->numbers.size() > 2)
+    return line.ask.push_back(focal +
+                              ": so short beside the picture that it is no pixels: millimetres over the size of a "
+                              "pixel, as in /0.00345, or a fraction of the width?");
+  constexpr double kLeastMicrometres = 0.1, kLeastMillimetres = 1e-4;
+  const double size = pixel->parts.front()->numbers.front();
+  const double millimetres = size >= kLeastMicrometres ? size / 1000 : size >= kLeastMillimetres ? size : size * 1000;
+  constexpr int kDigits = 12;
+  std::string& terms = line.parts.front().second;
+  terms.clear();
+  for (const Chosen& each : lens)
+    terms += (terms.empty() ? "" : "+") + each->path() +
+             (isAmong(each->kind, "f fx fy F") ? "/" + formatDigits(millimetres, kDigits) : "");
+  line.used.push_back(pixel->parts.front());
+  line.ask.push_back(focal + ": in millimetres, over " + pixel->parts.front()->path() + " of " +
+                     formatDigits(1000 * millimetres, kDigits) + " micrometres?");
+}
+
+}  // namespace
+
+void putSize(LineDraft& line, const Candidates& all, const std::vector<Scalars>& boxes) {
+  const std::vector<Chosen> lens = line.used;
+  const auto centre = centreOf(line);
+  auto best = bestOf(*line.first, all, "S");
+  for (const Scalars& box : boxes) {
+    const std::vector<Chosen> sides = together(box, {"w", "h"});
+    if (sides.empty() || sides[0]->numbers[0] < 16 || sides[1]->numbers[0] < 16 ||
+        sides[0]->star.size() != sides[1]->star.size())
+      continue;
+    const auto score = nearness(*line.first, *sides[0]);
+    if (score && *score >= 0.5 && (!best || *score >= best->score)) best = Match{*score, sides};
+  }
+  if (!best) return;
+  std::vector<double> size;
+  for (const Chosen& each : best->parts) size.insert(size.end(), each->numbers.begin(), each->numbers.end());
+  const auto missOf = [&](double w, double h) {
+    return std::fabs((*centre)[0] - w / 2) / w + std::fabs((*centre)[1] - h / 2) / h;
+  };
+  const bool isSwapped =
+      best->parts.size() == 1 && centre && missOf(size[1], size[0]) < missOf(size[0], size[1]) - 0.02;
+  line.add("size", best->parts, best->score, isSwapped ? "[1,0]" : "");
+  if (isSwapped)
+    line.ask.push_back(best->parts.front()->path() + ": cx, cy fit the other order better, which [1,0] gives");
+  else if (best->parts.size() == 1 && size[1] > size[0])
+    line.ask.push_back(best->parts.front()->path() + ": is taller than wide; [1,0] if it is height, width");
+  if (centre && !isSwapped &&
+      ((*centre)[0] < 0.1 * size[0] || (*centre)[0] > 0.9 * size[0] || (*centre)[1] < 0.1 * size[1] ||
+       (*centre)[1] > 0.9 * size[1])) {
+    line.ask.push_back("cx, cy are far from the middle of the picture: from its middle, or of another size?");
+    line.score -= 2;
+  }
+  putUnit(line, all, lens, size[isSwapped ? 1 : 0]);
+}
+
+void putLens(LineDraft& line, const Candidates& all, const std::vector<Scalars>& boxes, bool isFisheye) {
+  constexpr std::string_view kFisheyeWords = "fisheye equidistant kb4 kannalabrandt kannala brandt equi";
+  const auto list = bestOf(*line.first, all, "D");
+  const Scalars* named = nullptr;
+  double score = list ? list->score : 0;
+  for (const Scalars& box : boxes) {
+    const auto k1 = box.find("k1");
+    const auto near = k1 == box.end() ? std::nullopt : nearness(*line.first, *k1->second);
+    if (near && *near >= 0.5 && *near > score) {
+      named = &box;
+      score = *near;
+    }
+  }
+  const bool isFish = isFisheye || hasWord(line.first->path(), kFisheyeWords);
+  if (!named && list) {
+    const Chosen& d = list->parts.front();
+    const bool isFour = d->numbers.size() == 4, isF = isFour && (isFish || hasWord(d->path(), kFisheyeWords));
+    line.add(isF ? "fisheye" : "distortion", list->parts, list->score);
+    if (isFour && !isF)
+      line.ask.push_back(d->path() +
+                         ": 4 numbers are k1 k2 p1 p2; fisheye=… if its program says fisheye or equidistant");
+    return;
+  }
+  if (!named) return;
+  std::vector<Chosen> k = together(*named, {"k1", "k2", "p1", "p2"});
+  // k4 to k6 are of the rational lens, with p1 and p2 or without.
+  const bool isRational = named->contains("k6") && !together(*named, {"k1", "k2", "k3", "k4", "k5"}).empty();
+  if (k.empty() && isRational) {
+    line.add("distortion", together(*named, {"k1", "k2"}), score,
+             "+0+0+" + sumOf(together(*named, {"k3", "k4", "k5", "k6"})));
+    for (const Chosen& each : together(*named, {"k3", "k4", "k5", "k6"})) line.used.push_back(each);
+    return;
+  }
+  if (!k.empty()) {
+    if (hasWord(k[2]->path(), "tangential"))
+      line.ask.push_back(k[2]->path() + ", " + k[3]->path() +
+                         ": taken as p1 and p2, as Azure Kinect has them; else exchange them");
+    for (const char* more : {"k3", "k4", "k5", "k6"})
+      if (named->contains(more) && (more[1] == '3' || named->contains("k6"))) k.push_back(named->find(more)->second);
+    return line.add("distortion", k, score);
+  }
+  k = together(*named, {"k1", "k2", "k3", "k4"});
+  if (!k.empty()) {
+    line.add("fisheye", k, score);
+    if (!isFish) line.ask.push_back("k1 to k4 without p1, p2: fisheye, or brown?");
+    return;
+  }
+  if (named->contains("k2") && named->contains("k3")) {
+    line.add("distortion", together(*named, {"k1", "k2"}), score / 2, "+0+0+" + named->find("k3")->second->path());
+    line.used.push_back(named->find("k3")->second);
+    return;
+  }
+  k = together(*named, {"k1", "k2"});
+  line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
+}
+
+void askAboutLens(LineDraft& line, const Candidate& lens, const Candidates& all, std::string_view text) {
+  constexpr double kLeast = 1e-6;
+  if (const double k1 = std::fabs(lens.numbers.front()); k1 > 0 && k1 < kLeast)
+    line.ask.push_back(lens.path() + ": so small that it may count pixels; k1 here is of focal lengths, f^2 as large");
+  if (text.find("inverse brown") != std::string_view::npos || text.find("inverse_brown") != std::string_view::npos)
+    line.ask.push_back(lens.path() + ": of an inverse Brown-Conrady lens, as the file says, which parts cannot say");
+  for (const Chosen& other : all)
+    if (other->kind == "K" && other != line.first && hasWord(other->steps.back(), "original raw distorted") &&
+        !hasWord(line.first->steps.back(), "original raw distorted") &&
+        std::equal(other->steps.begin(), other->steps.end() - 1, line.first->steps.begin(),
+                   line.first->steps.end() - 1))
+      line.ask.push_back(other->path() + ": this K may be the one that the distortion goes with");
+}
+
+std::vector<LineDraft> lensLines(const Candidates& all, const std::vector<Scalars>& boxes) {
+  std::vector<LineDraft> lines;
+  // What many cameras have in common is said by the line of all of them.
+  constexpr std::size_t kMany = 10;
+  std::set<const Candidate*> covered;
+  for (const Chosen& each : all)
+    if (each->star.size() >= kMany)
+      for (const auto& [star, one] : each->star) covered.insert(one.get());
+  const auto begin = [&](const std::string& name, const std::vector<Chosen>& chosen, double score,
+                         const std::string& suffix = "") {
+    LineDraft line;
+    line.first = chosen.front();
+    line.add(name, chosen, score, suffix);
+    lines.push_back(std::move(line));
+  };
+  for (const Chosen& each : all) {
+    if (covered.contains(each.get())) continue;
+    if (each->kind == "K" && each->name >= 0) begin("K", {each}, 3 + each->name);
+    if (each->kind == "P") begin("P", {each}, 2 + each->name);
+    if (each->kind == "F" || (each->kind == "f" && each->numbers.front() > 5))
+      if (const auto centre = bestOf(*each, all, "C")) begin("K", {each, centre->parts.front()}, 4);
+  }
+  for (const Scalars& box : boxes) {
+    if (covered.contains(box.begin()->second.get())) continue;
+    const auto tryOut = [&](std::initializer_list<std::string_view> kinds, double score) {
+      const std::vector<Chosen> chosen = together(box, kinds);
+      if (chosen.empty() || chosen.front()->numbers.front() <= 5) return false;
+      begin("K", chosen, score);
+      return true;
+    };
+    if (tryOut({"fx", "fy", "cx", "cy"}, 4.5) || tryOut({"gx", "gy", "cx", "cy"}, 4.5) ||
+        tryOut({"fx", "cx", "cy"}, 4) || tryOut({"f", "cx", "cy"}, 4) ||
+        (!box.contains("cx") &&
+         (tryOut({"fx", "fy"}, 2) || (box.contains("pixel") && box.contains("w") && tryOut({"f"}, 2))))) {
+      if (lines.back().used.size() <= 2) lines.back().ask.push_back("no cx, cy: the middle of the picture is taken");
+      continue;
+    }
+    for (const auto& [kind, name] : {std::pair{"fovY", "fovY"}, {"fovX", "fovX"}, {"fov", "fovY"}}) {
+      const auto angle = box.find(std::string_view(kind));
+      if (angle == box.end() || angle->second->numbers.front() < 0.2) continue;
+      const bool isRadians =
+          angle->second->numbers.front() < 3.2 && !hasWord(angle->second->path(), "deg degs degrees");
+      begin(name, {angle->second}, kind == std::string_view("fov") ? 1 : 2, isRadians ? "/0.017453292519943295" : "");
+      if (isRadians && !hasWord(angle->second->path(), "rad rads radians angle"))
+        lines.back().ask.push_back(angle->second->path() +
+                                   ": in radians, as it is below 3.2? Without /0.0174… where it is in degrees");
+      if (kind == std::string_view("fov")) lines.back().ask.push_back(angle->second->path() + ": fovY or fovX?");
+      break;
+    }
+  }
+  return lines;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,178 @@
+// The pose of a line.
+#include <algorithm>
+#include <cmath>
+
+#include "formats/finder/line.hpp"
+#include "formats/value.hpp"
+#include "formats/words.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::string_view
+    kToWorld =
+        "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
+        "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
+        "camtoworld cameratoworld cam_to_base cam_to_lidar cam_to_velo cam_to_vehicle camera_to_lidar matrix_world "
+        "cameraextrinsicmat",
+    kToCamera =
+        "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
+        "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
+        "velo_to_cam velo2cam _to_cam cam_from_rig",
+    kOfNerf = "transform_matrix matrix_world camera_to_world";
+
+/// Which way a pose goes, by its name; or empty.
+std::string directionOf(const Candidate& pose, const Candidate* lens) {
+  const std::string path = lowered(pose.path());
+  if (hasPart(path, kToWorld)) return "worldFromCamera";
+  const auto toward = lens ? towardOf(pose) : std::nullopt;
+  const std::vector<std::string> names = lens ? wordsOf(lens->path()) : std::vector<std::string>{};
+  if (toward && shares(toward->second, names) != shares(toward->first, names))
+    return shares(toward->second, names) ? "cameraFromWorld" : "worldFromCamera";
+  // Vehicles' files give extrinsics with quaternions, of either direction.
+  const bool isUnclear = pose.kind == "Q" && hasPart(path, "extrinsic");
+  return hasPart(path, kToCamera) && !isUnclear ? "cameraFromWorld" : "";
+}
+
+/// Of a matrix that takes the camera to the world: whether with OpenCV's axes the camera is upside down where z is up,
+/// and has the world's origin behind it. Where y is down, up is -y.
+bool isUpsideDown(const Candidate& pose) {
+  if (pose.kind != "X" || !pose.suffix.empty()) return false;
+  const std::vector<double>& m = pose.numbers;
+  return m[9] > std::fabs(m[5]) && m[2] * m[3] + m[6] * m[7] + m[10] * m[11] > 0;
+}
+
+}  // namespace
+
+std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
+  std::vector<Match> found;
+  std::vector<std::pair<double, Chosen>> turns, places;
+  for (const Chosen& each : all) {
+    const auto score = isPoseKind(each->kind) ? nearness(first, *each) : std::nullopt;
+    if (!score) continue;
+    if (each->kind == "X" && *score >= 0.5) found.push_back({*score, {each}});
+    if (isAmong(each->kind, "R V Q") && *score >= 0) turns.emplace_back(*score, each);
+    if (isAmong(each->kind, "T E") && *score >= 0) places.emplace_back(*score, each);
+  }
+  constexpr std::size_t kMost = 50;
+  turns.resize(std::min(turns.size(), kMost));
+  places.resize(std::min(places.size(), kMost));
+  for (const auto& [turnScore, turn] : turns)
+    for (const auto& [placeScore, place] : places) {
+      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() ||
+          turn->tag != place->tag || turn->path() == place->path())
+        continue;
+      const bool isBeside =
+          std::equal(turn->steps.begin(), turn->steps.end() - 1, place->steps.begin(), place->steps.end() - 1);
+      found.push_back(
+          {(turnScore + placeScore) / 2 + (isBeside ? 0.5 : 0) + (turn->kind == "R" ? 0.1 : 0), {turn, place}});
+    }
+  std::stable_sort(found.begin(), found.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
+  return found;
+}
+
+void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
+  const Chosen& turn = match.parts.front();
+  const Chosen& place = match.parts.back();
+  const bool isOpenCv = place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
+  std::string direction = directionOf(*turn, lens);
+  line.isNerf = hasPart(lowered(turn->path()), kOfNerf);
+  if (match.parts.size() > 1) {
+    if (direction.empty() && isOpenCv) {
+      direction = "cameraFromWorld";
+      line.ask.push_back(turn->path() + ", " + place->path() +
+                         ": taken as camera from world, as solvePnP and calibrateCamera return them");
+    }
+    const bool isList = turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered;
+    const std::string_view order = quaternionOrderOf(turn->path());
+    const bool isWFirst =
+        isList && (order == "wxyz" ||
+                   (order.empty() && (hasWord(turn->path(), "qvec") || std::fabs(turn->numbers.front()) > 0.9)));
+    const std::string form = turn->kind == "R"   ? "rotation"
+                             : turn->kind == "V" ? "rotationVector"
+                             : isWFirst          ? "quaternionWFirst"
+                                                 : "quaternion";
+    if (isList && order.empty()) line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
+    const std::string pose = direction.empty() ? "pose" : direction;
+    line.add(pose + "." + form, {turn}, match.score / 2);
+    line.add(place->kind == "T" ? pose + ".translation" : "position", {place}, match.score / 2);
+  } else {
+    line.add(direction.empty() ? "pose" : direction, {turn}, match.score);
+  }
+  const auto isByRows = [](const Candidate& each) {
+    return !each.isFlat || each.numbers == transposed(each.numbers, 3);
+  };
+  if (turn->kind == "R" && !isByRows(turn->isStarred() ? *turn->star.begin()->second : *turn))
+    line.ask.push_back(turn->path() + ": its 9 numbers by rows; " + turn->path() +
+                       "^T if they go by columns, as RealSense's extrinsics do");
+  if (direction.empty())
+    line.ask.push_back(
+        turn->path() +
+        ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
+  const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
+  if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
+    line.ask.push_back(
+        turn->path() +
+        ": if world from camera, likely right, up, back: --set cameraAxes=RUB; with right, down, forward it "
+        "is upside down where z is up, and looks away from the origin");
+  else if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
+    line.ask.push_back(turn->path() + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
+}
+
+void putAim(LineDraft& line, const Candidate& first, const Candidates& all) {
+  const auto eye = bestOf(first, all, "E");
+  for (const char* kind : {"direction", "target"})
+    if (const auto aim = eye ? bestOf(first, all, kind) : std::nullopt) {
+      line.add("position", eye->parts, eye->score);
+      line.add(kind, aim->parts, aim->score);
+      const auto up = bestOf(first, all, "up");
+      line.add("up", up ? up->parts : std::vector<Chosen>{}, 0, up ? "" : "0+0+1");
+      if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
+      return;
+    }
+}
+
+void putUnreal(LineDraft& line, const Candidates& all) {
+  if (line.first->kind == "fov") {
+    line.parts.front().first = "fovX";
+    line.ask = {line.first->path() + ": across, as Unreal and CARLA have it"};
+  }
+  const auto eye = bestOf(*line.first, all, "E"), turns = bestOf(*line.first, all, "euler");
+  if (!line.poses.empty() || !eye || !turns) return;
+  line.add("position", eye->parts, eye->score);
+  line.add("euler", turns->parts, turns->score);
+  line.ask.push_back(
+      turns->parts.front()->path() +
+      ": taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
+  line.isUnreal = true;
+}
+
+void sharePoses(std::vector<LineDraft>& lines) {
+  for (LineDraft& line : lines) {
+    if (line.poses.empty()) continue;
+    const Match& match = line.poses.front();
+    const Chosen& pose = match.parts.front();
+    if (!pose->isStarred() && !line.first->isStarred()) {
+      LineDraft* owner = nullptr;
+      std::size_t rivals = 0;
+      for (LineDraft& other : lines) {
+        const bool isRival = !other.poses.empty() && !other.first->isStarred() &&
+                             other.first->kind == line.first->kind && other.poses.front().parts.front() == pose &&
+                             std::fabs(other.poses.front().score - match.score) < 1e-9 &&
+                             other.first->steps.size() == line.first->steps.size();
+        if (!isRival) continue;
+        ++rivals;
+        const auto toward = towardOf(*pose);
+        if (!owner || !toward || shares(other.first->tag, toward->second)) owner = &other;
+      }
+      if (rivals > 1 && owner != &line) {
+        line.ask.push_back(pose->path() + ": one pose for " + std::to_string(rivals) +
+                           " cameras; here it is given to the other");
+        continue;
+      }
+    }
+    putPose(line, match, line.first.get());
+  }
+}
+
+}  // namespace viewproj::cmd

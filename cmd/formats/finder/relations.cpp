@@ -1,0 +1,182 @@
+#include "formats/finder/relations.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "camera/fields.hpp"
+#include "formats/value.hpp"
+#include "formats/words.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool includes(const std::vector<std::string>& all, const std::vector<std::string>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+}  // namespace
+
+std::string sumOf(const std::vector<Chosen>& terms) {
+  std::string sum;
+  for (const Chosen& each : terms) sum += (sum.empty() ? "" : "+") + each->path();
+  return sum;
+}
+
+bool isPoseKind(std::string_view kind) { return isAmong(kind, "X R V Q T E"); }
+
+bool hasPart(std::string_view text, std::string_view parts) {
+  const std::vector<std::string_view> all = wordsIn(parts);
+  return std::any_of(all.begin(), all.end(),
+                     [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
+}
+
+bool shares(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const std::string& word) { return std::find(b.begin(), b.end(), word) != b.end(); });
+}
+
+std::optional<std::pair<std::vector<std::string>, std::vector<std::string>>> towardOf(const Candidate& pose) {
+  const std::string path = lowered(pose.path());
+  for (const std::string_view link : {"_to_", "_2_", "2"}) {
+    const std::size_t at = path.find(link);
+    if (at == std::string::npos || at == 0 || path.find("c2w") != std::string::npos ||
+        path.find("w2c") != std::string::npos)
+      continue;
+    const std::size_t first = path.find_last_of("._", at - 1), after = at + link.size();
+    const std::size_t end = std::min(path.find_first_of("._", after), path.size());
+    const std::size_t begin = first == std::string::npos ? 0 : first + 1;
+    if (begin == at || end == after) continue;
+    return std::pair(wordsOf(path.substr(begin, at - begin)), wordsOf(path.substr(after, end - after)));
+  }
+  return std::nullopt;
+}
+
+std::optional<double> nearness(const Candidate& first, const Candidate& part) {
+  double score = part.name;
+  if (first.isStarred() && part.isStarred()) {
+    const auto shared = std::count_if(first.star.begin(), first.star.end(),
+                                      [&](const auto& each) { return part.star.contains(each.first); });
+    if (shared < std::min<std::ptrdiff_t>(2, std::ssize(first.star)) || 2 * shared < std::ssize(first.star))
+      return std::nullopt;
+    score += shared == std::ssize(first.star) ? 4 : 2;
+  } else if (first.isStarred()) {
+    const auto box = first.steps.begin() + static_cast<std::ptrdiff_t>(first.at);
+    const bool isInside = part.steps.size() > first.at + 1 && std::equal(first.steps.begin(), box, part.steps.begin());
+    if (isPoseKind(part.kind) || (isInside && *box == "*")) return std::nullopt;
+  } else if (part.isStarred()) {
+    const std::size_t depth = first.steps.size() - 1;
+    const bool isBeside =
+        part.steps.size() > depth && std::equal(first.steps.begin(), first.steps.end() - 1, part.steps.begin());
+    if (!isPoseKind(part.kind) || !isBeside) return std::nullopt;
+  }
+  const std::vector<std::string>& a = first.tag;
+  std::vector<std::string> words;
+  if (!first.isStarred() && part.isStarred())
+    std::copy_if(part.tag.begin(), part.tag.end(), std::back_inserter(words),
+                 [](const std::string& word) { return !isDigit(word[0]); });
+  const std::vector<std::string>& b = !first.isStarred() && part.isStarred() ? words : part.tag;
+  if (a == b) return score + 3;
+  if (includes(a, b)) return score + 2;
+  if (includes(b, a)) return score + 1 - 0.3 * static_cast<double>(b.size() - a.size());
+  const auto hasOther = [](const std::vector<std::string>& from, const std::vector<std::string>& without) {
+    return std::any_of(from.begin(), from.end(), [&](const std::string& word) {
+      return !isDigit(word[0]) && std::find(without.begin(), without.end(), word) == without.end();
+    });
+  };
+  if (isAmong(part.kind, "S w h")) return score - 2;
+  const auto leads = [&] { return isPoseKind(part.kind) && !part.isStarred() && towardOf(part); };
+  if (hasOther(a, b) && hasOther(b, a) && !leads()) return std::nullopt;
+  return score - 2;
+}
+
+std::optional<Match> bestOf(const Candidate& first, const Candidates& all, std::string_view kind) {
+  constexpr double kLeast = 0.5;
+  std::optional<Match> best;
+  for (const Chosen& each : all) {
+    if (each->kind != kind) continue;
+    const auto score = nearness(first, *each);
+    if (score && *score >= kLeast && (!best || *score > best->score)) best = Match{*score, {each}};
+  }
+  return best;
+}
+
+std::vector<Scalars> scalarsOf(const Candidates& all) {
+  std::map<std::string, Scalars> boxes;
+  for (const Chosen& each : all) {
+    if (each->numbers.size() != 1) continue;
+    std::string key = each->isStarred() ? "*" + std::to_string(each->at) + "/" + std::to_string(each->star.size()) : "";
+    for (std::size_t i = 0; i + 1 < each->steps.size(); ++i) key += "\n" + each->steps[i];
+    // Camera1.fx and Camera2.fx of one object are of two cameras, and so are fx_color and fx_depth.
+    const std::string& last = each->steps.back();
+    key += "\n" + (last.rfind('.') == std::string::npos ? "" : last.substr(0, last.rfind('.'))) + besideScalar(last);
+    boxes[key].emplace(each->kind, each);
+  }
+  std::vector<Scalars> list;
+  for (auto& [key, scalars] : boxes) list.push_back(std::move(scalars));
+  return list;
+}
+
+std::vector<Chosen> together(const Scalars& scalars, std::initializer_list<std::string_view> kinds) {
+  std::vector<Chosen> found;
+  for (const std::string_view kind : kinds) {
+    const auto each = scalars.find(kind);
+    if (each == scalars.end()) return {};
+    found.push_back(each->second);
+  }
+  return found;
+}
+
+void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
+  const auto add = [&](const char* kind, const std::vector<Chosen>& terms, double name) {
+    if (terms.empty()) return;
+    Candidate family{kind, terms.front()->steps, {}, name, ""};
+    family.steps.back() = "";
+    for (const Chosen& term : terms) family.numbers.push_back(term->numbers.front());
+    if (family.kind == "R" && !isRotation(family.numbers)) return;
+    family.star = terms.front()->star;
+    family.at = terms.front()->at;
+    family.terms = terms;
+    family.tag = findTag(family);
+    all.push_back(std::make_shared<Candidate>(std::move(family)));
+  };
+  for (const Scalars& box : boxes) {
+    add("R", together(box, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}), 2);
+    add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
+    add("T", together(box, {"tx", "ty", "tz"}), 2);
+    if (!box.contains("w")) add("E", together(box, {"x", "y", "z"}), 1);  // w: x y z of a quaternion
+    add("euler", together(box, {"pitch", "yaw", "roll"}), 2);
+    add("E", together(box, {"gx", "gy", "pz"}), 1);
+  }
+}
+
+void addCoefficients(Candidates& all) {
+  const Candidates found = all;
+  for (const Chosen& k : found) {
+    if (k->kind != "k" || k->steps.size() < 2 || !hasWord(k->steps[k->steps.size() - 2], "lens dist distortion"))
+      continue;
+    const auto beside = std::find_if(found.begin(), found.end(), [&](const Chosen& p) {
+      return p->kind == "p" && p->star.size() == k->star.size() && p->at == k->at &&
+             std::equal(p->steps.begin(), p->steps.end() - 1, k->steps.begin(), k->steps.end() - 1);
+    });
+    const auto partOf = [&](const char* suffix) {
+      Candidate part = *k;
+      part.suffix = suffix;
+      return std::make_shared<Candidate>(std::move(part));
+    };
+    const Chosen none = std::make_shared<Candidate>(Candidate{"?", {"0+0"}, {0, 0}, 0, ""});
+    Candidate lens{"D", k->steps, k->numbers, 2, "", k->star, k->at};
+    lens.steps.back() = "";
+    const Chosen p = beside == found.end() ? none : *beside;
+    if (k->numbers.size() == 3)
+      lens.terms = {partOf("[0,1]"), p, partOf("[2]")};
+    else if (p != none && k->numbers.size() == 2)
+      lens.terms = {k, p};
+    else
+      lens.terms = {k};
+    lens.tag = findTag(lens);
+    all.push_back(std::make_shared<Candidate>(std::move(lens)));
+  }
+}
+
+}  // namespace viewproj::cmd
