@@ -10,6 +10,7 @@
 #include "commands/world_options.hpp"
 #include "formats/colmap.hpp"
 #include "formats/observations.hpp"
+#include "formats/pose_chain.hpp"
 #include "formats/writer.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"

@@ -17,6 +17,7 @@
 #include "commands/world_options.hpp"
 #include "formats/finder/finder.hpp"
 #include "formats/open.hpp"
+#include "formats/pose_chain.hpp"
 #include "numbers/arctangent.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"

@@ -1,0 +1,195 @@
+#include "formats/import_file.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "camera/read_convention.hpp"
+#include "formats/claims.hpp"
+#include "formats/finder/finder.hpp"
+#include "formats/format.hpp"
+#include "formats/parts.hpp"
+#include "formats/rows.hpp"
+#include "formats/unread.hpp"
+#include "text/pasted_matrices.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// The formats that have a file; the order does not matter, for one at most claims a file.
+constexpr const Format* kFormats[] = {
+    &kGltf, &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,
+    &kExif, &kTable,   &kScanner,    &kOpenXr,    &kUnity,         &kUnreal,   &kKalibr,  &kPoses,         &kMatrices};
+
+/// Our own form may have names of others, as fx and cx in a projection.
+bool isOurs(const Json& root) {
+  if (!root.is_object()) return false;
+  const auto projection = root.find("projection");
+  constexpr const char* kMembers[] = {"type",        "fovY",   "fovX", "fovDiagonal", "fx",    "left",
+                                      "focalLength", "matrix", "near", "width",       "height"};
+  return projection != root.end() && projection->is_object() &&
+         (projection->empty() || std::any_of(std::begin(kMembers), std::end(kMembers),
+                                             [&](const char* name) { return projection->contains(name); }));
+}
+
+struct Claim {
+  std::string_view name, form, known;
+  std::function<Import()> open;
+  bool mayBeMatrices = false;  ///< numbers alone: matrices, or poses
+};
+
+/// The formats that claim a file: one, or none. all: looks for others too.
+std::vector<Claim> claimsOf(const Node& root, bool all) {
+  std::vector<Claim> found;
+  if (isOurs(root.json()) || !root.document().fault.empty()) return found;
+  for (const Format* format : kFormats) {
+    // Matrices in plain text may be anything: info and matrix read them with all that is beside them.
+    if (format == &kMatrices && root.document().isPlainText) continue;
+    if (!(format->recognises ? format->recognises(root) : holds(root, format->when))) continue;
+    found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
+                     format == &kMatrices || format == &kPoses});
+    if (!all) return found;
+  }
+  for (const Row& row : rows())
+    if (const auto container = containerOf(row, root)) {
+      found.push_back(
+          {row.name, row.form, row.known, [&row, root, container] { return importRow(row, root, *container); }});
+      if (!all) return found;
+    }
+  return found;
+}
+
+/// "velodyne/" of velodyne/P2: a camera of another world than the file's own. Other slashes belong to names.
+std::string worldOf(std::string_view name) {
+  for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
+    if (name.starts_with(world)) return world;
+  return "";
+}
+
+/// Keeps the cameras of the file's own world, or those of the world that is picked: the same cameras, seen from
+/// elsewhere.
+void keepWorld(Import& file, const std::string& pick) {
+  const std::string world = worldOf(pick + "/");
+  const auto isLeftOut = [&](const CameraEntry& camera) { return worldOf(camera.name) != world; };
+  if (std::all_of(file.cameras.begin(), file.cameras.end(), isLeftOut)) {  // it has one world, which needs no name
+    for (CameraEntry& camera : file.cameras)
+      if (world.empty() && !pick.empty()) camera.name.erase(0, worldOf(camera.name).size());
+    return;
+  }
+  for (const CameraEntry& camera : file.cameras)
+    if (isLeftOut(camera) &&
+        std::find(file.worlds.begin(), file.worlds.end(), worldOf(camera.name)) == file.worlds.end())
+      file.worlds.push_back(worldOf(camera.name));
+  std::erase(file.worlds, "");
+  std::erase_if(file.cameras, isLeftOut);
+}
+
+/// What makes no camera, in plain text or of numbers alone, may be matrices.
+Import openClaimed(const Document& file, const Claim& claim) {
+  try {
+    return claim.open();
+  } catch (const InputError& e) {
+    if (file.isPlainText || claim.mayBeMatrices) throw UnknownFormat(e.what(), *file.text);
+    throw;
+  }
+}
+
+Import importParts(const Node& root, const std::string& line) {
+  std::vector<Part> parts = parseParts(line, "--parts");
+  requireNames(parts, "--parts", false);
+  if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
+  return {camerasOfParts(root, std::move(parts), {}, "")};
+}
+
+[[noreturn]] void failUnknown(const Document& file) {
+  throw UnknownFile(file.name +
+                        ": is not a camera file of a known kind; viewproj info FILE tells what is in it, viewproj help "
+                        "formats lists the kinds",
+                    file);
+}
+
+/// Whether info has more to say of a text than what is wrong with it.
+bool holdsParts(const Document& file) {
+  return !proposeParts(file).lines.empty() || (file.text && !findMatrices(*file.text).matrices.empty());
+}
+
+/// A pose of ours beside members that are not may be another program's. Where most are not, it is; else the reader's
+/// message tells, and info proposes too.
+void requireOwnMembers(const Document& file) {
+  const auto isOf = [](std::string_view key) {
+    return key == "cameras" || std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+             return key == topName(field) || key == field.alias;
+           });
+  };
+  for (const char* ours : {"convention", "projection", "viewport"})
+    if (file.root->contains(ours)) return;
+  const std::size_t count = file.root->size();
+  std::size_t known = 0;
+  for (const auto& member : file.root->items()) known += isOf(member.key()) ? 1 : 0;
+  if (known == count) return;
+  if (2 * known < count) failUnknown(file);
+  try {
+    Document copy{file.name, std::make_shared<Json>(*file.root)};
+    normalize(copy);
+    (void)readValues(copy);
+  } catch (const InputError& e) {
+    throw UnknownFile(e.what(), file, true);
+  }
+}
+
+}  // namespace
+
+[[noreturn]] void failPreset(const std::string& name, std::string_view form) {
+  throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
+}
+
+Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
+  const Node root(*file);
+  if (opening.parts) return importParts(root, *opening.parts);
+  const std::vector<Claim> found = claimsOf(root, false);
+  const bool isTable = !found.empty() && found.front().name == kTable.name;
+  if (!preset.empty() && !found.empty() && !found.front().mayBeMatrices && !isTable)
+    failPreset(file->name, found.front().form);
+  if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
+  if (!found.empty()) {
+    const Claim& claim = found.front();
+    Import result = openClaimed(*file, claim);
+    if (!preset.empty() && claim.name == kPoses.name) failPreset(file->name, claim.form);
+    if (!preset.empty() && isTable)
+      for (CameraEntry& camera : result.cameras)
+        camera.document = [file, document = camera.document, preset] {
+          Document row{file->name, std::make_shared<Json>(document())};
+          readAs(row, preset);
+          return std::move(*row.root);
+        };
+    keepWorld(result, opening.pick.value_or(""));
+    result.mayLackPose = true;
+    if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
+    return judged(file, std::move(result), claim.known);
+  }
+  if (!file->isPlainText && isCameraDocument(*file->root)) {
+    requireOwnMembers(*file);
+    return openCameraDocument(*file);
+  }
+  if (!file->fault.empty())
+    throw UnknownFile(file->fault + (holdsParts(*file) ? "; viewproj info FILE tells what it has as text" : ""), *file);
+  failUnknown(*file);
+}
+
+std::vector<FormatName> formatNames() {
+  std::vector<FormatName> names;
+  const auto add = [&](std::string_view name, std::string_view form) {
+    if (!form.empty()) names.push_back({name, form});
+  };
+  add("colmap", "a reconstruction of COLMAP");
+  for (const Format* format : kFormats) add(format->name, format->form);
+  for (const Row& row : rows()) add(row.name, row.form);
+  return names;
+}
+
+std::vector<std::string> claimants(const Document& file) {
+  std::vector<std::string> names;
+  for (const Claim& claim : claimsOf(Node(file), true)) names.emplace_back(claim.name);
+  return names;
+}
+
+}  // namespace viewproj::cmd

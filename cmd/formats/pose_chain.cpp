@@ -1,0 +1,185 @@
+#include "formats/pose_chain.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "camera/names.hpp"
+#include "camera/plain_camera.hpp"
+#include "camera/read_convention.hpp"
+#include "camera/read_pose.hpp"
+#include "formats/poses.hpp"
+#include "formats/tree.hpp"
+#include "text/file.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// One of the poses whose product is a camera's, or several in turn.
+struct PoseFactor {
+  std::shared_ptr<Document> file;
+  std::vector<CameraEntry> cameras;  ///< that have the pose
+  std::string field;
+  bool isOfCamera = false;  ///< of axes that its file states
+};
+
+/// A pose that is typed, or printed in a file of no form.
+PoseFactor factorOf(Json pose, const std::string& field) {
+  CameraEntry camera;
+  camera.document = [pose = std::move(pose), field] { return Json{{field, pose}}; };
+  return {nullptr, {camera}, field};
+}
+
+PoseFactor factorOf(const std::string& source, const Opening& opening) {
+  const std::string& field = opening.direction;
+  if (const auto pose = poseOfText(source)) return factorOf(*pose, field);
+  const auto [name, pick] = splitPick(source);
+  const auto file = std::make_shared<Document>();
+  PosesOfFile read;
+  bool isOfCamera = false;
+  try {
+    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world");
+    file->marks = std::make_shared<std::unordered_set<const void*>>();
+    read = posesOf(Node(*file));
+    isOfCamera = read.poses.cameras.empty();
+    if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
+  } catch (const UnknownFormat& unknown) {
+    if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
+    const std::vector<Json> printed = printedPoses(unknown.text);
+    if (printed.empty() && isInlineJson(name)) throw;
+    if (printed.empty())
+      throw InputError(
+          shownName(name) +
+          ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
+          "or {\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
+          (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
+    *file = {shownName(name), nullptr};
+    isOfCamera = false;
+    read = {{}, field, false};
+    read.poses.noun = "pose";
+    for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
+  }
+  if (read.isDirected && read.field != field)
+    throw InputError(file->name + ": holds poses of the other direction, " + read.field);
+  PoseFactor factor{file, {}, read.field, isOfCamera};
+  for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
+    factor.cameras.push_back(read.poses.cameras[i]);
+  return factor;
+}
+
+constexpr const char* kPoseFields[] = {"position", "rotation",        "target",         "direction",
+                                       "up",       "euler",           "heading",        "pitch",
+                                       "roll",     "worldFromCamera", "cameraFromWorld"};
+
+/// What a document says of its axes, and where its camera stands.
+struct Stand {
+  CameraAxes axes;
+  Handedness world;
+  std::optional<Pose> pose;
+
+  explicit Stand(Document document) {
+    normalize(document);
+    const FieldValues values = readValues(document);
+    const DocumentConvention stated = readConvention(values);
+    axes = cameraAxesOf(values, *stated.preset);
+    world = stated.convention.world;
+    pose = readPose(values, stated);
+  }
+};
+
+/// The pose of another camera, in the axes of this one. field: the direction.
+Json poseIn(const Json& camera, const Document& file, const Json& other, const std::string& field) {
+  const Stand to(Document{file.name, std::make_shared<Json>(camera)});
+  const Stand from(Document{file.name, std::make_shared<Json>(other)});
+  if (to.world != from.world)
+    throw InputError(file.name + ": its world is " + std::string(nameOf(kWorldNames, from.world)) +
+                     "-handed, unlike the camera's");
+  if (other.contains(field) && to.axes == from.axes) return other[field];
+  if (!from.pose) throw InputError(file.name + ": has no pose");
+  const PlainPose pose = plainPose(*from.pose);
+  const auto [c, t] = field == "worldFromCamera" ? worldFromCamera(pose, to.axes) : cameraFromWorld(pose, to.axes);
+  return {{c[0].x, c[1].x, c[2].x, t.x}, {c[0].y, c[1].y, c[2].y, t.y}, {c[0].z, c[1].z, c[2].z, t.z}};
+}
+
+/// A camera's document at the product of poses, for the one of each factor or that of a number.
+Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
+  for (const char* field : kPoseFields) camera.erase(field);
+  Json poses = Json::array();
+  for (const auto& [file, cameras, field, isOfCamera] : factors) {
+    const Json pose = cameras[cameras.size() > 1 ? number : 0].document();
+    if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
+    poses.push_back(isOfCamera ? poseIn(camera, *file, pose, field) : pose[field]);
+  }
+  camera[direction] = poses.size() == 1 ? poses.front() : poses;
+  return camera;
+}
+
+}  // namespace
+
+Import atPoses(Import result, const Opening& opening, std::string& name) {
+  const auto factors = std::make_shared<std::vector<PoseFactor>>();
+  const PoseFactor* several = nullptr;
+  factors->reserve(opening.poses.size());
+  for (const std::string& source : opening.poses) {
+    factors->push_back(factorOf(source, opening));
+    const PoseFactor& factor = factors->back();
+    if (factor.cameras.size() == 1) continue;
+    if (several || (result.cameras.size() > 1 && !opening.pick))
+      throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
+                       (several ? " poses, and another file does too" : " poses for several cameras") +
+                       "; pick one of either");
+    several = &factor;
+  }
+  std::string folder;
+  if (several && opening.pick) {
+    result.cameras = {result.cameras[CameraSet(name, result, {}).choose(opening.pick)]};
+    folder = *opening.pick + "/";
+  }
+  const bool isWorldFirst = opening.direction == "worldFromCamera";
+  const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
+  const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
+                               (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
+                               " keeps both)";
+  result.hasUnclearAxes = false;
+  const bool isKept = std::any_of(factors->begin(), factors->end(), [&](const PoseFactor& factor) {
+    return factor.isOfCamera && factor.file->name == name;
+  });
+  const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
+    std::string names = unread ? unread(which) : "";
+    if (!isKept && hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
+    return names;
+  };
+  const auto moved = [&](const CameraEntry& camera, std::size_t number) {
+    return [document = camera.document, factors, number, direction = opening.direction] {
+      return atPose(document(), *factors, number, direction);
+    };
+  };
+  if (!several) {
+    result.unread = unreadOf;
+    for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
+    return result;
+  }
+  Import all;
+  // Of the camera's file, though the poses' gives the names; once, for all of them.
+  all.unread = [unreadOf, name, isTold = std::make_shared<bool>(false)](std::size_t) -> std::string {
+    const std::string names = *isTold ? "" : unreadOf(0);
+    *isTold = true;
+    return names.empty() ? "" : "of " + name + ": " + names;
+  };
+  name = several->file->name;
+  for (std::size_t i = 0; i < several->cameras.size(); ++i) {
+    const CameraEntry& pose = several->cameras[i];
+    all.add(folder + (folder.empty() || !pose.name.empty() ? pose.name : std::to_string(i)), pose.id,
+            moved(result.cameras.front(), i));
+  }
+  return all;
+}
+
+bool hasPose(const Json& camera) {
+  const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
+  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
+    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
+  });
+}
+
+}  // namespace viewproj::cmd

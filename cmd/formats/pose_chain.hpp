@@ -1,0 +1,17 @@
+// Poses of files and texts, of which the product is a camera's pose.
+#pragma once
+
+#include <string>
+
+#include "formats/import_file.hpp"
+
+namespace viewproj::cmd {
+
+/// Each camera at the pose, or one camera at each pose: in a folder of the name that picked it. name: of the cameras'
+/// file; several poses set it to their own.
+Import atPoses(Import cameras, const Opening& opening, std::string& name);
+
+/// Whether a camera's document has another pose than that of a file which gives none.
+bool hasPose(const Json& camera);
+
+}  // namespace viewproj::cmd
