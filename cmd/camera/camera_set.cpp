@@ -242,6 +242,7 @@ Document CameraSet::document(std::size_t which) const {
     const std::lock_guard lock(importing_);
     *document.root = import_.cameras[which].document();
   }
+  for (const auto& [path, name] : import_.ownNames) document.labels.emplace(path, document.name + ": " + name);
   normalize(document);
   applyPatches(document, patches_.patches);
   return document;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -47,6 +48,7 @@ struct Import {
   bool mayLackPose = false;                   ///< the file may give none; its cameras then stand at the origin
   bool hasUnclearAxes = false;                ///< it has turns in our axes, and may mean those of others
   std::vector<std::string> withoutPose = {};  ///< entries of the file that are left out, by name
+  std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
     cameras.push_back({std::move(cameraName), std::move(id), std::move(document), std::move(own)});

@@ -247,7 +247,7 @@ std::optional<Projection> readProjection(const FieldValues& values, const Docume
   if (picture && type != kIntrinsics && type != kPs2) {
     const bool isStated = values.has("projection.aspect");
     requireShape(values, projection.aspect(), picture->frame, isStated ? "projection.aspect" : "projection", options,
-                 isStated ? "leave it out, change it by --aspect," : "change one of them");
+                 isStated ? "change it by --aspect" : "change one of them");
   }
   const auto* const shift = values.find<Vec2>("projection.shift");
   return shift ? shifted(projection, shift->x, shift->y) : projection;

@@ -80,6 +80,8 @@ void CameraOptions::add(CLI::App& app) {
   const auto chooseName = [](const std::string& option, const std::string& text) {
     return std::string(choose(option, text, presetChoices()).name);
   };
+  addChoice(app, "--convention", "NAME", convention_, presetChoices(), "")
+      ->description("Write in NAME; of a camera by options alone, also read them in it");
   addValue(app, "--read-as", "NAME", readAs_, chooseName, "Read a file that states no convention as NAME");
 }
 
@@ -97,13 +99,6 @@ void CameraOptions::addFiles(CLI::App& app) {
   app.allow_extras();  // CLI11 would split "[a,b]" of an option that takes several
 }
 
-void CameraOptions::addConvention(CLI::App& app) {
-  onlyReads_ = true;
-  addChoice(app, "--convention", "NAME", convention_, presetChoices(), "")
-      ->description("Write in NAME; of a camera by options alone, also read them in it")
-      ->group(kConventionGroup);
-}
-
 void CameraOptions::addReversed(CLI::App& app) {
   readsDepth_ = true;
   const OptionGroup convention(app, kConventionGroup);
@@ -112,7 +107,6 @@ void CameraOptions::addReversed(CLI::App& app) {
 }
 
 void CameraOptions::addWriting(CLI::App& app) {
-  addConvention(app);
   onlyReads_ = false;
   const OptionGroup convention(app, kConventionGroup);
   CLI::Option* const reversed = app.add_flag_callback(
@@ -233,6 +227,7 @@ CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, b
   }();
   if (hasGeoid() && !file.worldIsEcef)
     throw UsageError("--geoid is of heights on the Earth, and " + file.name + " is not there");
+  if (onlyReads_ && file.pose) noteHandedness(file);
   for (const std::string& each : file.notes) note(each);
   if (const std::string unread = cameras.unreadOf(which); !unread.empty()) note(file.name + ": not read: " + unread);
   return file;

@@ -26,10 +26,8 @@ class CameraOptions {
   void addFile(CLI::App& app);
   /// FILE..., for a command that takes all cameras of several files: the first, and what remains.
   void addFiles(CLI::App& app);
-  /// --convention and what changes it, for a command that writes in one.
+  /// What changes --convention, for a command that writes in one; of others it is how options alone are read.
   void addWriting(CLI::App& app);
-  /// --convention for a command that writes in none: of options alone also how they are read.
-  void addConvention(CLI::App& app);
 
   /// --reverse-z for a command that reads depth: of options alone.
   void addReversed(CLI::App& app);
@@ -96,7 +94,7 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = false,
+  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true,
        readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false;
 };
 

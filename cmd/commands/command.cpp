@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "camera/document.hpp"
 #include "commands/cli.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -68,6 +69,16 @@ std::string adviceOn(const std::string& argument, const CLI::App& app) {
                               : "; did you mean " + alternatives(near) + "?";
 }
 
+/// Whether a message is of JSON that is typed: its place is the option that has it.
+bool isOfTypedJson(const CLI::App& app, std::string_view message) {
+  const auto options = app.get_options();
+  return std::any_of(options.begin(), options.end(), [&](const CLI::Option* option) {
+    const std::vector<std::string>& values = option->results();
+    const std::string place = (option->get_lnames().empty() ? "" : "--") + option->get_single_name();
+    return message.starts_with(place) && std::any_of(values.begin(), values.end(), isInlineJson);
+  });
+}
+
 }  // namespace
 
 std::span<const Command> allCommands() { return kCommands; }
@@ -97,9 +108,14 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, app); });
   requireOneStandardInput(app);
   NamedOutput output(command.opensOutput ? "-" : outputFile(app));
-  const int status = declared.run();
-  output.keep();
-  return status;
+  try {
+    const int status = declared.run();
+    output.keep();
+    return status;
+  } catch (const InputError& e) {
+    if (isOfTypedJson(app, e.what())) throw UsageError(e.what());
+    throw;
+  }
 }
 
 }  // namespace viewproj::cmd

@@ -270,7 +270,6 @@ Action declareDepth(CLI::App& app) {
   o->report.add(app, 8);
   o->camera.addFile(app);
   o->camera.add(app);
-  o->camera.addConvention(app);
   o->camera.addReversed(app);
   exclude(findOption(app, "--near"), gap);
   o->camera.takeAnyLens();

@@ -259,7 +259,6 @@ Action declareFootprint(CLI::App& app) {
   addDigits(app, o->digits, "9 in a table, else all");
   o->camera.addFiles(app);
   o->camera.add(app);
-  o->camera.addConvention(app);
   return [o] { return runFootprint(*o); };
 }
 

@@ -339,7 +339,6 @@ int runCamera(const InfoOptions& o) {
   }
   const std::size_t which = cameras->chooseAll(pick).front();
   const CameraFile file = o.camera.readOne(*cameras, which);
-  o.camera.noteHandedness(file);
   std::vector<double> distances{1, 10, 100};
   if (file.targetDistance) distances.push_back(*file.targetDistance);
   if (o.at) distances = *o.at;
@@ -430,7 +429,6 @@ Action declareInfo(CLI::App& app) {
   o->camera.showMatrices();
   o->camera.addFile(app);
   o->camera.add(app);
-  o->camera.addConvention(app);
   o->camera.addReversed(app);
   return [o] { return runInfo(*o); };
 }

@@ -1,6 +1,8 @@
 // Pictures of phones and drones, and views of headsets. Sources: ARKit, whose pixels count centres; DJI's XMP tags;
 // XrView of OpenXR.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "camera/sea_level.hpp"
@@ -40,27 +42,40 @@ Import openFrame(const Node& root) {
   return result;
 }
 
+/// A column of exiftool's, which -G puts its group in front of: XMP-drone-dji:GimbalYawDegree. Of several groups
+/// Composite counts, whose tags are made of all others; else they must agree.
+std::optional<Node> columnOf(const Node& row, std::string_view name) {
+  std::optional<Node> found = row.find("Composite:" + std::string(name));
+  if (found && found->json() != "") return found;
+  found.reset();
+  for (const auto& [column, cell] : row.json().items()) {
+    if (cell.is_null() || cell == "" || std::string_view(column).substr(column.rfind(':') + 1) != name) continue;
+    if (found && found->json() != cell)
+      row.find(column)->fail("differs from " + found->path() + "; leave one of them out");
+    found = row.find(column);
+  }
+  return found;
+}
+
 /// A number of a row; nothing where the cell is empty.
 std::optional<double> cellOf(const Node& row, std::string_view name) {
-  const auto cell = row.find(name);
-  if (!cell || cell->json() == "") return std::nullopt;
+  const auto cell = columnOf(row, name);
+  if (!cell) return std::nullopt;
   const auto number = numbersIn(cell->json());
   if (!number || number->size() != 1) cell->fail("is no plain number; exiftool writes them with -n");
   return number->front();
 }
 
 std::string fileOf(const Node& row) {
-  const std::string file = textAt(row, "FileName");
-  return file.empty() ? textAt(row, "SourceFile") : file;
+  const auto file = columnOf(row, "FileName");
+  return file ? file->text() : textAt(row, "SourceFile");
 }
 
 /// A number with the sign of what is named beside it, which the group EXIF has without one: south, west, and below,
 /// which is 1 or 3 too.
 double signedOf(const Node& row, double number, const std::string& name) {
-  const auto ref = row.find(name + "Ref");
-  const std::string side = !ref                      ? ""
-                           : ref->json().is_number() ? formatNumber(ref->number())
-                                                     : textAt(row, name + "Ref");
+  const auto ref = columnOf(row, name + "Ref");
+  const std::string side = !ref ? "" : ref->json().is_number() ? formatNumber(ref->number()) : ref->text();
   return !side.empty() && std::string_view("SWB13").find(side[0]) != std::string_view::npos ? -std::fabs(number)
                                                                                             : number;
 }
@@ -68,9 +83,26 @@ double signedOf(const Node& row, double number, const std::string& name) {
 /// What would move pixels, and is not known to be in the other numbers.
 void requirePlain(const Node& row) {
   if (const auto turn = cellOf(row, "Orientation"); turn && *turn != 1)
-    row.find("Orientation")->fail("turns the picture when it is shown; expected 1: turn the file, or leave this out");
+    columnOf(row, "Orientation")
+        ->fail("turns the picture when it is shown; expected 1: turn the file, or leave this out");
   if (const auto zoom = cellOf(row, "DigitalZoomRatio"); zoom && *zoom > 1)
-    row.find("DigitalZoomRatio")->fail("may be in the focal length or not; expected 1, or leave it out");
+    columnOf(row, "DigitalZoomRatio")->fail("may be in the focal length or not; expected 1, or leave it out");
+}
+
+/// What a turn of the camera is called: by DJI, by Parrot, and in DJI's notes of the maker.
+constexpr const char* kTurns[][3] = {{"GimbalYawDegree", "GimbalPitchDegree", "GimbalRollDegree"},
+                                     {"CameraYawDegree", "CameraPitchDegree", "CameraRollDegree"},
+                                     {"CameraYaw", "CameraPitch", "CameraRoll"}};
+
+bool isPicture(const Node& row) {
+  return row.json().is_object() && columnOf(row, "GPSLatitude") &&
+         std::any_of(std::begin(kTurns), std::end(kTurns), [&](const auto& turn) { return columnOf(row, turn[0]); });
+}
+
+bool holdsPictures(const Node& root) {
+  for (std::size_t i = 0; root.json().is_array() && i < root.size(); ++i)
+    if (isPicture(root[i])) return true;
+  return false;
 }
 
 /// A row of exiftool's table.
@@ -83,18 +115,21 @@ Json pictureOf(const Node& row) {
   };
   requirePlain(row);
   const auto altitude = cellOf(row, "AbsoluteAltitude");
+  const auto* turn =
+      std::find_if(std::begin(kTurns), std::end(kTurns), [&](const auto& t) { return columnOf(row, t[0]); });
+  if (turn == std::end(kTurns)) turn = std::begin(kTurns);
   Json camera{{"position",
                {{"lat", signedOf(row, cell("GPSLatitude"), "GPSLatitude")},
                 {"lon", signedOf(row, cell("GPSLongitude"), "GPSLongitude")},
                 {hasGeoid() ? "altitude" : "height",
                  altitude ? *altitude : signedOf(row, cell("GPSAltitude", " or AbsoluteAltitude"), "GPSAltitude")}}},
-              {"heading", cell("GimbalYawDegree")},
-              {"pitch", cell("GimbalPitchDegree")},
-              {"roll", cellOf(row, "GimbalRollDegree").value_or(0)}};
+              {"heading", cell((*turn)[0])},
+              {"pitch", cell((*turn)[1])},
+              {"roll", cellOf(row, (*turn)[2]).value_or(0)}};
   const auto w = cellOf(row, "ImageWidth"), h = cellOf(row, "ImageHeight");
   if (w && h) camera["viewport"] = {{"width", *w}, {"height", *h}};
-  if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && row.find("DewarpData"))
-    row.find("DewarpData")->fail("is the lens of these pictures, which is not read; dewarp them, or leave it out");
+  if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && columnOf(row, "DewarpData"))
+    columnOf(row, "DewarpData")->fail("is the lens of these pictures, which is not read; dewarp them, or leave it out");
   const auto f = cellOf(row, "CalibratedFocalLength"), x = cellOf(row, "CalibratedOpticalCenterX"),
              y = cellOf(row, "CalibratedOpticalCenterY");
   if (f && x && y) {
@@ -135,7 +170,7 @@ Json viewOf(const Node& view) {
 
 Import openViews(const Node& root) {
   const Node views = root.json().is_object() ? root.find("views").value_or(root) : root;
-  Import result;
+  Import result{.ownNames = {{"projection.aspect", "fov"}}};
   const auto add = [&](const std::string& name, const Node& view) {
     result.add(
         name, "", [view] { return viewOf(view); }, view);
@@ -201,7 +236,7 @@ extern const Format kUnity{"unity", "a transform of Unity",
                            devices::openUnity, "rotation local* lossyScale scale"};
 extern const Format kUnreal{"unreal", "a transform of Unreal", "Location.X Rotation.P|Rotation.Pitch",
                             devices::openUnreal, "Scale"};
-extern const Format kExif{"exiftool", "a drone table of exiftool -n", ":list *.GPSLatitude *.GimbalYawDegree",
-                          devices::openPictures, "*"};
+extern const Format kExif{"exiftool", "a drone table of exiftool -n", "", devices::openPictures,
+                          "*",        devices::holdsPictures};
 
 }  // namespace viewproj::cmd

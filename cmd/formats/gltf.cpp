@@ -65,7 +65,7 @@ Import open(const Node& root) {
   const auto tree = std::make_shared<NodeTree>("translation", "rotation");
   tree->nodes = itemsAt(root, "nodes");
   findParents(*tree);
-  Import result;
+  Import result{.ownNames = {{"projection.aspect", "aspectRatio"}}};
   std::vector<bool> hasNode(cameras->size());
   for (std::size_t i = 0; i < tree->nodes.size(); ++i) {
     const Node& node = tree->nodes[i];

@@ -257,8 +257,8 @@ TEST_CASE("A refusal of each kind") {
   of(R"({"up": [3, 2, 5]})",
      "C: up: is parallel to the viewing direction, so it does not say which way is up; give another");
   of(R"({"projection": {"aspect": "4/3"}})",
-     "C: projection.aspect: the aspect is 1.33333, but the viewport's is 1.77778; leave it out, change it "
-     "by --aspect, or give --allow-stretch (is '4/3')");
+     "C: projection.aspect: the aspect is 1.33333, but the viewport's is 1.77778; change it by --aspect "
+     "or give --allow-stretch (is '4/3')");
   of(R"({"projection": {"near": 0}})", "C: projection.near: expected a number above 0, got 0");
   of(R"({"projection": {"near": 5, "far": 2}})",
      "C: projection.far: must be greater than near, 5; for reversed depth keep near < far and set reverseZ (is 2)");
