@@ -188,7 +188,16 @@ class LayoutReader {
     r.camera->layout = laid_.layout;
     r.scaledBy = scaledBy;
     r.isCentred = scaledBy == 1 && !camera.lens && isCentred(r.kind);
+    r.isLevel = camera.pose && isLevel(camera.pose->right());
     return r;
+  }
+
+  bool isLevel(const Vec3& right) const {
+    double error = 1e-6;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const double size = length(rowOf(m_, i)); size > 0)
+        error = std::max(error, 4 * maxAbs(rowOf(errors_, i)) / size);
+    return std::min(std::fabs(right.y), std::fabs(right.z)) <= error;
   }
 
   /// Whether the world's origin lies on the z axis of the camera, which is turned.
