@@ -30,10 +30,12 @@ PoseFactor factorOf(Json pose, const std::string& field) {
   return {nullptr, {camera}, field};
 }
 
-PoseFactor factorOf(const std::string& source, const Opening& opening) {
+/// own: the name of the cameras' file, of which the pose is that of the camera that is picked.
+PoseFactor factorOf(const std::string& source, const Opening& opening, const std::string& own) {
   const std::string& field = opening.direction;
   if (const auto pose = poseOfText(source)) return factorOf(*pose, field);
-  const auto [name, pick] = splitPick(source);
+  auto [name, pick] = splitPick(source);
+  if (!pick && shownName(name) == own) pick = opening.pick;
   const auto file = std::make_shared<Document>();
   PosesOfFile read;
   bool isOfCamera = false;
@@ -119,11 +121,12 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t num
 Import atPoses(Import result, const Opening& opening, std::string& name) {
   const auto factors = std::make_shared<std::vector<PoseFactor>>();
   const PoseFactor* several = nullptr;
+  const auto isOwn = [&name](const PoseFactor& factor) { return factor.isOfCamera && factor.file->name == name; };
   factors->reserve(opening.poses.size());
   for (const std::string& source : opening.poses) {
-    factors->push_back(factorOf(source, opening));
+    factors->push_back(factorOf(source, opening, name));
     const PoseFactor& factor = factors->back();
-    if (factor.cameras.size() == 1) continue;
+    if (factor.cameras.size() == 1 || (isOwn(factor) && factor.cameras.size() == result.cameras.size())) continue;
     if (several || (result.cameras.size() > 1 && !opening.pick))
       throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
                        (several ? " poses, and another file does too" : " poses for several cameras") +
@@ -137,13 +140,16 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   }
   const bool isWorldFirst = opening.direction == "worldFromCamera";
   const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
-  const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
-                               (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
-                               " keeps both)";
+  const std::string both =
+      option + " " + (isWorldFirst ? "POSE " : name + " ") + option + " " + (isWorldFirst ? name : "POSE");
+  const std::string replaced = "its own pose, which " + option + " replaces (" + both + " keeps both)";
   result.hasUnclearAxes = false;
-  const bool isKept = std::any_of(factors->begin(), factors->end(), [&](const PoseFactor& factor) {
-    return factor.isOfCamera && factor.file->name == name;
-  });
+  const bool isKept = std::any_of(factors->begin(), factors->end(), isOwn);
+  if (!isKept && !opening.pick && result.cameras.size() > 1 &&
+      std::any_of(result.cameras.begin(), result.cameras.end(),
+                  [](const CameraEntry& camera) { return hasPose(camera.document()); }))
+    throw InputError(name + ": " + option + " would put its " + std::to_string(result.cameras.size()) +
+                     " cameras on one pose; " + both + " moves them together, " + name + "#NAME picks one");
   const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
     std::string names = unread ? unread(which) : "";
     if (!isKept && hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
@@ -156,7 +162,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   };
   if (!several) {
     result.unread = unreadOf;
-    for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
+    for (std::size_t i = 0; i < result.cameras.size(); ++i) result.cameras[i].document = moved(result.cameras[i], i);
     return result;
   }
   Import all;
