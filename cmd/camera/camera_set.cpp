@@ -243,6 +243,7 @@ Document CameraSet::document(std::size_t which) const {
     *document.root = import_.cameras[which].document();
   }
   normalize(document);
+  if (patches_.resize) resizePicture(document, *patches_.resize);
   applyPatches(document, patches_.patches);
   return document;
 }

@@ -297,18 +297,6 @@ std::optional<std::string> colmapModel(const std::string& source) {
   return isOne ? std::optional(source) : std::nullopt;
 }
 
-bool hasColmapPoints(const std::string& source) {
-  const auto model = colmapModel(source);
-  const std::string points = model ? filesOf(*model).points : "";
-  std::ifstream file(pathOf(points), std::ios::binary);
-  std::string line;
-  if (points.ends_with(".bin"))
-    return file.read(line.assign(8, 0).data(), 8) && line.find_first_not_of('\0') != line.npos;
-  while (std::getline(file, line))
-    if (!isBlank(line) && line[0] != '#') return true;
-  return false;
-}
-
 Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }
 
 void eachColmapPixel(
