@@ -132,6 +132,9 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
+  const bool mayBeLeftOut = writer.leftOut && o.camera.file();
+  if (const std::string left = mayBeLeftOut ? writer.leftOut(splitPick(*o.camera.file()).file) : ""; !left.empty())
+    note(left);
   return writer.write(cameras, endingOf(output));
 }
 

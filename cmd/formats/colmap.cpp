@@ -105,9 +105,7 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
     for (const double number : {q[3], q[0], q[1], q[2], t.x, t.y, t.z}) images += " " + formatNumber(number);
     images += " " + id->second + " " + name + "\n\n";
   }
-  return {{"cameras.txt", lenses, "colmap is written with its cameras alone: points3D.txt has no points"},
-          {"images.txt", images},
-          {"points3D.txt", "# Points: none\n"}};
+  return {{"cameras.txt", lenses}, {"images.txt", images}, {"points3D.txt", "# Points: none\n"}};
 }
 
 }  // namespace viewproj::cmd

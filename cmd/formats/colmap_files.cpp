@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "formats/colmap.hpp"
+#include "formats/writer.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "text/system.hpp"
@@ -295,6 +296,19 @@ std::optional<std::string> colmapModel(const std::string& source) {
       isFile(source) && (source.ends_with("images.bin") || (source.ends_with(".bin") && isBinaryCameras(source)) ||
                          (source.ends_with(".txt") && kindOfText(source) != TextKind::none));
   return isOne ? std::optional(source) : std::nullopt;
+}
+
+std::string leftOutOfColmap(const std::string& source) {
+  const auto model = colmapModel(source);
+  const std::string points = model ? filesOf(*model).points : "";
+  std::ifstream file(pathOf(points), std::ios::binary);
+  std::string line;
+  bool hasPoints = false;
+  if (points.ends_with(".bin"))
+    hasPoints = file.read(line.assign(8, 0).data(), 8) && line.find_first_not_of('\0') != line.npos;
+  else
+    while (!hasPoints && std::getline(file, line)) hasPoints = !isBlank(line) && line[0] != '#';
+  return hasPoints ? "colmap is written with its cameras alone: points3D and the points of images are left out" : "";
 }
 
 Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }

@@ -31,7 +31,7 @@ constexpr Writer kWriters[] = {
     {"colmap", "/",
      kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kQuaternions |
          kNeedsWholeSize,
-     writeColmap},
+     writeColmap, SIZE_MAX, leftOutOfColmap},
     {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
     {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},

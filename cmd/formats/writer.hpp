@@ -93,6 +93,8 @@ struct Writer {
   /// ending: of the file that is written.
   std::vector<WrittenFile> (*write)(std::span<const WrittenCamera> cameras, std::string_view ending);
   std::size_t most = SIZE_MAX;  ///< cameras, if kSeveralPlace
+  /// What a source of this very form holds that is not written, for a note; or empty.
+  std::string (*leftOut)(const std::string& source) = nullptr;
 };
 std::span<const Writer> writers();
 
@@ -105,6 +107,9 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
 using Write = std::vector<WrittenFile>(std::span<const WrittenCamera>, std::string_view);
 Write writeOpenCv, writeRos, writeKalibr, writeColmap, writeTransforms, writeSplats, writeOpen3d, writeGltf,
     writeThreeJs, writeKitti, writeKittiPoses, writeTum, writeTable;
+
+/// See Writer.
+std::string leftOutOfColmap(const std::string& source);
 
 /// A YAML number that no reader takes for an integer or a text.
 std::string yamlNumber(double value);
