@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "camera/plain_camera.hpp"
 #include "commands/camera_options.hpp"
@@ -35,7 +36,8 @@ struct Chosen {
   CameraFile file;
   std::string name;
   bool isPlaced;              ///< false: its file does not tell where it stands
-  std::string fileName = {};  ///< where it is the only one of its file; else empty
+  std::string path;           ///< of its file; empty: it is of another camera, and the others' poses do not place it
+  std::string fileName = {};  ///< without folder and ending, where it is the only one of its file; else empty
 };
 
 /// The camera with its pose as angles of --angles, where there is a pose.
@@ -67,17 +69,17 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   std::vector<Chosen> all;
   std::unordered_map<std::string, std::shared_ptr<Json>> documents;  // by name
   std::unordered_map<std::string, int> counts;                       // of names
+  std::unordered_set<std::string> placed;                            // paths
   for (const auto& [cameras, which] : files) {
     std::vector<Chosen> ofFile;
     for (const std::size_t i : camerasOnce(*cameras, which)) {
       CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
       const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
-      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced});
+      const std::string path = cameras->isOfAnother(i) ? "" : cameras->name();
+      if (isPlaced) placed.insert(path);
+      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path});
     }
-    const bool arePlaced =
-        std::any_of(ofFile.begin(), ofFile.end(), [](const Chosen& camera) { return camera.isPlaced; });
     for (Chosen& camera : ofFile) {
-      camera.isPlaced = arePlaced;  // one that has no pose is where the others are counted from
       if (ofFile.size() == 1 && files.size() > 1) camera.fileName = pathOf(cameras->name()).stem().string();
       if (!camera.fileName.empty() && which.size() > 1) camera.name = "";
       // Files that belong together, as those of a stereo calibration, have the same cameras.
@@ -89,9 +91,12 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
       all.push_back(std::move(camera));
     }
   }
-  // Of several files with a camera each, the file's name tells which it is.
-  for (Chosen& camera : all)
+  for (Chosen& camera : all) {
+    // One that has no pose is where the others of its file are counted from.
+    camera.isPlaced = camera.isPlaced || (!camera.path.empty() && placed.contains(camera.path));
+    // Of several files with a camera each, the file's name tells which it is.
     if (!camera.fileName.empty() && (camera.name.empty() || counts[camera.name] > 1)) camera.name = camera.fileName;
+  }
   return all;
 }
 
