@@ -244,6 +244,7 @@ Document CameraSet::document(std::size_t which) const {
   }
   for (const auto& [path, name] : import_.ownNames) document.labels.emplace(path, document.name + ": " + name);
   normalize(document);
+  if (patches_.resize) resizePicture(document, *patches_.resize);
   applyPatches(document, patches_.patches);
   return document;
 }

@@ -29,7 +29,7 @@ struct CameraEntry {
   /// Our document of the camera. Throws InputError naming the file's own field. Calls are one at a time.
   std::function<Json()> document = nullptr;
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
-  /// It is a straightened picture of another camera, or the lens of others without a view.
+  /// It is another camera's straightened picture, or its place in another world, or the lens of others without a view.
   bool isOfAnother = false;
 };
 
@@ -64,8 +64,9 @@ CameraSource splitPick(const std::string& source);
 
 /// What applies to every camera of a set.
 struct CameraPatches {
-  std::string readAs;          ///< the name of a preset; empty: the file's convention
-  std::vector<Patch> patches;  ///< of options and --set, in any order
+  std::string readAs;              ///< the name of a preset; empty: the file's convention
+  std::vector<Patch> patches;      ///< of options and --set, in any order
+  std::optional<double> resize{};  ///< of the file's picture, before the patches
 };
 
 /// Whether a document is a camera, or a set of cameras, in our own form: it has one of our members at the top (but

@@ -163,4 +163,15 @@ std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::s
   return {{"", text}};
 }
 
+std::vector<WrittenFile> writeKittiPoses(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string text;
+  for (const WrittenCamera& camera : cameras) {
+    std::string line;
+    for (const double number : worldFromCamera(camera, CameraAxes::RDF))
+      line += (line.empty() ? "" : " ") + formatNumber(number);
+    text += line + "\n";
+  }
+  return {{"", text}};
+}
+
 }  // namespace viewproj::cmd

@@ -43,6 +43,8 @@ namespace {
   "perViewErrors standardDeviation* *_gt raw_camera_matrix raw_dist* E F Q"
 
 #define ROS_SIZE "size?=image_width|width+image_height|height"
+#define ROS_RAW "K=camera_matrix|K|k, " ROS_SIZE ", lens?=distortion_coefficients|D|d, model?=distortion_model"
+#define OST_RAW "K=*.camera_matrix, size=/image.width+/image.height, lens=*.distortion"
 // The calibration of one camera, and the poses of N views of it.
 #define OPENCV "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES ", " MODELS
 #define VIEWS(R, T) \
@@ -76,12 +78,12 @@ namespace {
 
 constexpr Row kRows[] = {
     {"ros", "a camera_info of ROS", "camera_matrix|K|k projection_matrix|P:12|p:12",
-     "raw: K=camera_matrix|K|k, " ROS_SIZE ", lens?=distortion_coefficients|D|d, model?=distortion_model\n"
-     "~rectified: P=projection_matrix|P|p, " ROS_SIZE,
+     "raw: " ROS_RAW "\n~rectified: P=projection_matrix|P|p, " ROS_SIZE "\n~stereo: " ROS_RAW
+     ", rectified=rectification_matrix|R|r?+projection_matrix|P|p",
      "header camera_name R r rectification_matrix"},
     {"ros", "", "image.width *.projection:12 *.distortion",
-     "raw: K=*.camera_matrix, size=/image.width+/image.height, lens=*.distortion\n"
-     "~rectified: P=*.projection, size=/image.width+/image.height",
+     "raw: " OST_RAW "\n~rectified: P=*.projection, size=/image.width+/image.height\n~stereo: " OST_RAW
+     ", rectified=*.rectification?+*.projection",
      "rectification"},
     {"opencv", "a calibration of OpenCV (YAML, XML, JSON, .npz)",
      K_SHAPES
@@ -255,6 +257,8 @@ constexpr Row kRows[] = {
 #undef POSES
 #undef NOTHING_READ
 #undef ROS_SIZE
+#undef ROS_RAW
+#undef OST_RAW
 #undef OPENCV
 #undef VIEWS
 #undef MATLAB
