@@ -159,6 +159,7 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
   const auto* const position = values.find<Position>("position");
   if (!pose || !position) return pose;
   const auto* const target = values.find<Position>("target");
+  if (position->error == 0 && !position->isRounded && (!target || target->error == 0)) return withError(*pose, {});
   const auto* const up = values.find<Vec3>("up");
   const Geodetic place = position->place ? *position->place : ecefToGeodetic(pose->eye());
   const Vec3 upward = up ? rounded(normalized(toDoubleDouble(*up))) : ellipsoidNormal(place);

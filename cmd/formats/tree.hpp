@@ -36,7 +36,7 @@ Json textTree(std::string_view text, bool* hasHeadings = nullptr);
 /// A header of four names or more, then lines with as many cells: an array of objects. Null for other text.
 Json tableTree(std::string_view text);
 
-/// Why a file that another program wrote is not read, and what to do; or null.
-const char* refusalOf(std::string_view text);
+/// Why a file of this name, which another program wrote, is not read, and what to do; or null.
+const char* refusalOf(std::string_view name, std::string_view text);
 
 }  // namespace viewproj::cmd
