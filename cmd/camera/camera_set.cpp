@@ -192,7 +192,9 @@ std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std:
   if (!found.empty())
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
                      inQuotes(*pick) + "; pick one by its number: " + picksOf(found));
-  failPick(*pick);
+  const std::vector<std::size_t> under = chooseAll(pick);
+  throw InputError(name_ + ": holds " + std::to_string(under.size()) + " " + import_.noun + "s under " +
+                   inQuotes(*pick) + "; pick one: " + picksOf(under) + otherwise);
 }
 
 std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& pick) const {
