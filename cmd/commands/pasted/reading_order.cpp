@@ -78,7 +78,7 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   // The picture of RDF has y down, where the projection flips nothing.
   if (hint.isTransposed && hint.axes == ViewAxes::RDF && r.kind == viewProjection &&
       r.camera->convention.ndcY != NdcY::down)
-    cost += 0.2;
+    cost += 0.3;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.3;
   if (hint.areAxesOfK && r.camera->convention.view == hint.axes && isUpsideDown(*r.camera->pose)) cost += 0.3;
