@@ -156,8 +156,8 @@ NumberPlan firstFields(std::size_t count, std::size_t together) {
     throw RecordError(comma, "has commas between its numbers; --from csv reads them");
   for (std::size_t i = 0; schema.form == Form::text && i < schema.size; ++i)
     if (!parseNumber(record.values[i]))
-      throw RecordError(record.offset(i), "expected numbers, got " + inQuotes(record.values[i]) +
-                                              "; --columns picks some, as in 2,3,4");
+      throw RecordError(record.offset(i),
+                        "expected numbers, got " + inQuotes(record.values[i]) + "; --columns picks some, as in 2,3,4");
   throw RecordError(
       0, "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers") + "; expected " + expected);
 }

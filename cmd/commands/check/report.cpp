@@ -114,8 +114,8 @@ struct CheckedCamera {
     return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
   }
 
-  /// The lines of those pairs, at most a quarter, that miss by several times more than the others, which chance does not
-  /// explain; whether the others agree but for noise.
+  /// The lines of those pairs, at most a quarter, that miss by several times more than the others, which chance does
+  /// not explain; whether the others agree but for noise.
   struct Wrong {
     bool othersAgree = false;
     std::vector<std::size_t> lines = {};
