@@ -405,10 +405,10 @@ int runInfo(const InfoOptions& o) {
 Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   describe(app,
-           "What is in a file: of one camera its eye and axes, fields of view, window, focal length, near and far, "
-           "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table; "
-           "of matrices, as pasted from code or logs, what each can be, the likeliest first. Without distortion: "
-           "angles in degrees, edges x/z, y/z (glFrustum's over near; lengths if orthographic).",
+           "What is in a file: of one camera its eye, axes, fields of view, window, focal length, near, far, viewport, "
+           "convention, lens, planes and corners of the view, and pixel size; of several a table; of matrices, pasted "
+           "from code or logs, what each can be, the likeliest first. `seen` has distortion; other angles (degrees) "
+           "and edges (x/z, y/z: glFrustum's over near; orthographic: lengths) have none.",
            "Examples:\n"
            "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
            "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
