@@ -170,6 +170,10 @@ void sharePoses(std::vector<LineDraft>& lines) {
                            " cameras; here it is given to the other");
         continue;
       }
+      line.isOfPair = rivals > 1;
+      if (line.isOfPair)
+        line.ask.push_back(sumOf(match.parts) + ": one pose beside " + std::to_string(rivals) +
+                           " cameras: this one's, as stereoCalibrate gives it from the first?");
     }
     putPose(line, match, line.first.get());
   }
