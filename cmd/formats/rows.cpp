@@ -27,7 +27,7 @@ namespace {
 #define SIZES                                                                                                       \
   "size?=width|image_width|image_Width|w|W|img_width|cols|viewport.width+height|image_height|image_Height|h|H|img_" \
   "height|rows|viewport.height||"                                                                                   \
-  "image_size|img_size|imageSize|resolution|cameraRes|size"
+  "image_size|img_size|imageSize|resolution|cameraRes|camera_resolution|size"
 #define MODELS "model?=distortion_model|camera_model|lens_model|lensmodel, isFisheye?=fisheye_model|is_fisheye|fisheye"
 #define POSES                                                                                                         \
   "cameraFromWorld?=extrinsic|extrinsics|extrinsic_matrix|T_cam_world|T_cw|cameraFromWorld|w2c|world_to_cam|"         \
@@ -146,9 +146,9 @@ constexpr Row kRows[] = {
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *"},
     {"realsense", "intrinsics of a RealSense", "fx|Fx fy|Fy ppx|PPX ppy|PPY",
      "K=fx|Fx+fy|Fy+ppx|PPX+ppy|PPY, size?=width|Width+height|Height, lens?=coeffs|Coeffs, model?=model|Distortion",
-     "fps format serial Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector", ". * *.intrinsics"},
+     "fps format serial Device_info Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector", ". * *.intrinsics"},
     {"slam", "settings of ORB-SLAM, VINS, OKVIS or SVO", "Camera.fx !Camera.type=KannalaBrandt8", ORB_BROWN("Camera"),
-     ORB_NOTHING "LEFT* RIGHT* Stereo.ThDepth Tbc"},
+     ORB_NOTHING "?LEFT* ?RIGHT* Stereo.ThDepth Tbc"},
     {"slam", "", "Camera.fx Camera.type=KannalaBrandt8",
      ORB_FISHEYE("Camera") "\nright: " ORB_FISHEYE("Camera2") ", worldFromCamera=Tlr", ORB_NOTHING "Camera2.* Tbc"},
     {"slam", "", "Camera1.fx !Camera.type=KannalaBrandt8",
@@ -234,7 +234,7 @@ constexpr Row kRows[] = {
      "name?=token",
      "", "*"},
     // Its pictures are undistorted already: the coefficients are of the lens before that.
-    {"argoverse", "a calibration of Argoverse 1, or Waymo's as JSON", "value.focal_length_x_px_",
+    {"argoverse", "a calibration of Argoverse 1 or Waymo", "value.focal_length_x_px_",
      "K=value.focal_length_x_px_+value.focal_length_y_px_+value.focal_center_x_px_+value.focal_center_y_px_, "
      "worldFromCamera.quaternionWFirst=value.vehicle_SE3_camera_.rotation.coefficients, "
      "worldFromCamera.translation=value.vehicle_SE3_camera_.translation, name?=key",
@@ -289,7 +289,7 @@ constexpr Row kRows[] = {
 struct RowLine {
   std::string_view names;
   std::vector<Part> parts;
-  bool isThere, isOfAnother;
+  bool isThere, isOfAnother, isLens;
 };
 
 std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view container) {
@@ -307,6 +307,7 @@ std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view
     }
     line.parts = parseParts(text, std::string(row.name), container);
     requireNames(line.parts, std::string(row.name), true);
+    line.isLens = line.parts.front().name == "K";
     line.isThere = isFirstEnough ? hasParts(root, {line.parts.front()}) : hasParts(root, line.parts);
     lines.push_back(std::move(line));
   }
@@ -340,6 +341,7 @@ Import importRow(const Row& row, const Node& root, std::string_view container) {
     for (CameraEntry& camera : cameras) {
       if (!camera.name.empty()) earlier.insert(camera.name);
       camera.isOfAnother = line.isOfAnother;
+      camera.isLensAlone = line.isOfAnother && line.isLens;
       all.cameras.push_back(std::move(camera));
     }
   }

@@ -243,6 +243,17 @@ Proposal proposeParts(const Document& file) {
   return proposal;
 }
 
+std::vector<std::string> pathsOfOthers(const Document& file, const std::set<double>& known) {
+  std::vector<std::string> others = pathsOfNumbers(*file.root);
+  std::erase_if(others, [&](const std::string& path) {
+    const auto node = valueAt(Node(file), withStar(path, "0"));
+    const auto numbers = node ? numbersIn(node->json()) : std::nullopt;
+    return saysNothing(path) || !numbers ||
+           std::all_of(numbers->begin(), numbers->end(), [&](double number) { return known.contains(number); });
+  });
+  return others;
+}
+
 std::string textOf(const Proposal& proposal) {
   constexpr std::size_t kMostLines = 5, kMostQuestions = 5, kMostPaths = 8;
   std::string text;

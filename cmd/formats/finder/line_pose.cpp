@@ -108,7 +108,8 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
   if (direction.empty())
     line.ask.push_back(
         turn->path() +
-        ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
+        ": cameraFromWorld (as solvePnP, COLMAP give it) or worldFromCamera (its translation is the place), in place of "
+        "pose?");
   const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
   if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
     line.ask.push_back(
