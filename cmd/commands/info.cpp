@@ -354,7 +354,8 @@ int runCamera(const InfoOptions& o) {
   return 0;
 }
 
-/// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others the report tells.
+/// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others the report
+/// tells.
 void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices) {
   std::set<double> known;
   for (const PastedMatrix& matrix : matrices)

@@ -69,11 +69,12 @@ namespace {
   "|dist_coeffs_" N "|" SIDE ".D, " STEREO_SIZE
 #define STEREO_SIZE "size?=image_width|width+image_height|height||image_size|imageSize|size"
 // As scripts call the sides of a pair: S is L, SIDE is left.
-#define SIDE_K(S, LETTER, SIDE) \
-  "mtx" S "|mtx_" LETTER "|mtx_" SIDE "|" SIDE "_mtx|K_" SIDE "|" SIDE "_K|camera_matrix_" SIDE "|" SIDE "_camera_matrix"
-#define SIDES(S, LETTER, SIDE)                                                                                    \
-  SIDE ": K=" SIDE_K(S, LETTER, SIDE) ", distortion?=dist" S "|dist_" LETTER "|dist_" SIDE "|" SIDE "_dist|D_" SIDE "|" \
-       SIDE "_D|dist_coeffs_" SIDE "|" SIDE "_dist_coeffs, " STEREO_SIZE
+#define SIDE_K(S, LETTER, SIDE)                                                                          \
+  "mtx" S "|mtx_" LETTER "|mtx_" SIDE "|" SIDE "_mtx|K_" SIDE "|" SIDE "_K|camera_matrix_" SIDE "|" SIDE \
+  "_camera_matrix"
+#define SIDES(S, LETTER, SIDE)                                                                                      \
+  SIDE ": K=" SIDE_K(S, LETTER, SIDE) ", distortion?=dist" S "|dist_" LETTER "|dist_" SIDE "|" SIDE "_dist|D_" SIDE \
+                                      "|" SIDE "_D|dist_coeffs_" SIDE "|" SIDE "_dist_coeffs, " STEREO_SIZE
 #define VELODYNE "cameraFromWorld=R0_rect|R_rect?+Tr_velo_to_cam|Tr_velo_cam|Tr"
 #define OPEN3D(P, POSE) \
   "K=" P "intrinsic.intrinsic_matrix^T, size=" P "intrinsic.width+" P "intrinsic.height, cameraFromWorld=" P POSE "^T"
@@ -146,7 +147,8 @@ constexpr Row kRows[] = {
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *"},
     {"realsense", "intrinsics of a RealSense", "fx|Fx fy|Fy ppx|PPX ppy|PPY",
      "K=fx|Fx+fy|Fy+ppx|PPX+ppy|PPY, size?=width|Width+height|Height, lens?=coeffs|Coeffs, model?=model|Distortion",
-     "fps format serial Device_info Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector", ". * *.intrinsics"},
+     "fps format serial Device_info Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector",
+     ". * *.intrinsics"},
     {"slam", "settings of ORB-SLAM, VINS, OKVIS or SVO", "Camera.fx !Camera.type=KannalaBrandt8", ORB_BROWN("Camera"),
      ORB_NOTHING "?LEFT* ?RIGHT* Stereo.ThDepth Tbc"},
     {"slam", "", "Camera.fx Camera.type=KannalaBrandt8",

@@ -38,7 +38,8 @@ constexpr std::string_view
 constexpr std::string_view kBoxes =
     "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
-    "frames world calibrated perspective cv mode projection transform the of to in from image images img p w h fx fy cx "
+    "frames world calibrated perspective cv mode projection transform the of to in from image images img p w h fx fy "
+    "cx "
     "cy f "
     "focal princpt "
     "fov "

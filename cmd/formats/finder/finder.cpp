@@ -219,8 +219,9 @@ Proposal proposeParts(const Document& file) {
     const std::string path = each->path(), box = path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.') + 1);
     // Numbers of no kind and single ones are left out beside the parts that are used, and above them.
     const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up"),
-               isBeside = isAmong(
-                   each->kind, "? d x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading k1 k2 k3 k4 k5 k6 p1 p2");
+               isBeside =
+                   isAmong(each->kind,
+                           "? d x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading k1 k2 k3 k4 k5 k6 p1 p2");
     const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() &&
                         (isKind || (isBeside && (isUsedBelow(box) || hasWord(path, "dist distortion")))) &&
                         !used.contains(bareOf(*each)) && !isUsedBelow(path + ".") &&

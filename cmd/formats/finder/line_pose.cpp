@@ -106,10 +106,10 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
     line.ask.push_back(turn->path() + ": its 9 numbers by rows; " + turn->path() +
                        "^T if they go by columns, as RealSense's extrinsics do");
   if (direction.empty())
-    line.ask.push_back(
-        turn->path() +
-        ": cameraFromWorld (as solvePnP, COLMAP give it) or worldFromCamera (its translation is the place), in place of "
-        "pose?");
+    line.ask.push_back(turn->path() +
+                       ": cameraFromWorld (as solvePnP, COLMAP give it) or worldFromCamera (its translation is the "
+                       "place), in place of "
+                       "pose?");
   const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
   if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
     line.ask.push_back(
