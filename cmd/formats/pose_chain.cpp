@@ -41,9 +41,10 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   PosesOfFile read;
   bool isOfCamera = false;
   try {
-    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world");
+    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world",
+                     {.mayBeFaulty = true});
     file->marks = std::make_shared<std::unordered_set<const void*>>();
-    read = posesOf(Node(*file));
+    if (file->fault.empty()) read = posesOf(Node(*file));
     isOfCamera = read.poses.cameras.empty();
     if (isOfCamera)
       read = {importFile(file, {.option = opening.option, .pick = isOwn && !pick ? opening.pick : pick}, ""), field,
@@ -51,16 +52,17 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
     const std::vector<Json> printed = printedPoses(unknown.text);
-    if (printed.empty() && isInlineJson(name)) throw;
-    if (printed.empty())
+    const auto named = printed.empty() && file->root ? namedPose(*file, field) : std::nullopt;
+    if (printed.empty() && !named && isInlineJson(name)) throw;
+    if (printed.empty() && !named)
       throw InputError(
           shownName(name) +
           ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
           "or {\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
           (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
-    *file = {shownName(name), nullptr};
+    if (!named) *file = {shownName(name), nullptr};
     isOfCamera = false;
-    read = {{}, field, false};
+    read = named.value_or(PosesOfFile{{}, field, false});
     read.poses.noun = "pose";
     for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
   }
