@@ -313,7 +313,7 @@ std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view
     }
     line.parts = parseParts(text, std::string(row.name), container);
     requireNames(line.parts, std::string(row.name), true);
-    line.isLens = line.parts.front().name == "K";
+    line.isLens = line.parts.front().name == "K" && line.parts.back().name != "rectified";
     line.isThere = isFirstEnough ? hasParts(root, {line.parts.front()}) : hasParts(root, line.parts);
     lines.push_back(std::move(line));
   }
