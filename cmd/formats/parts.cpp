@@ -21,7 +21,8 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
     {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
 constexpr std::string_view kNames =
-    "K P fovY fovX size distortion fisheye omni doubleSphere unified fov cameraFromWorld worldFromCamera position "
+    "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
+    "worldFromCamera position "
     "target direction up euler name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far id",
                            kTexts = "name model isFisheye id";
@@ -285,7 +286,8 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
   const auto size = parts.size();
   Json camera{{"convention", "opencv"}, {"position", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}};
   if (parts.has("P")) {
-    for (const char* other : {"K", "fovX", "fovY", "position", "direction", "target", "up", "euler", "worldFromCamera"})
+    for (const char* other :
+         {"K", "fovX", "fovY", "focalLength", "position", "direction", "target", "up", "euler", "worldFromCamera"})
       if (parts.has(other)) parts.fail(other, "P says it too; leave one of them out");
     std::vector<double> p = parts.numbers("P", {12, 16});
     p.resize(12);
@@ -294,7 +296,7 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
                        : cameraOfMatrix(parts.node("P"), p, size);
   } else {
     if (parts.has("K")) camera["projection"] = projectionOfK(parts);
-    for (const char* field : {"fovX", "fovY"})
+    for (const char* field : {"fovX", "fovY", "focalLength", "sensorWidth"})
       if (parts.has(field)) camera["projection"].update({{"type", "perspective"}, {field, parts.number(field)}});
     if (size) camera["viewport"] = {{"width", size->front()}, {"height", size->back()}};
     if (readPose(parts, camera) && form.cameraAxes != "RDF") camera["cameraAxes"] = form.cameraAxes;

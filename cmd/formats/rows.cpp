@@ -96,7 +96,7 @@ constexpr Row kRows[] = {
      K_SHAPES
      " !projection_matrix !P:12 !p:12 !rvecs.0:3 !extrinsic_parameters !rVector !T_BS !/camera_poses "
      "!rotation:4 !/0.rotation:3 !/cameraPoseARFrame !cameras.0 !poses:list !#3 !camera_data_ !image.width !class_name "
-     "!world_mat_0 !RadialDistortion !extrinsic.transform",
+     "!world_mat_0 !RadialDistortion !extrinsic.transform !/Camera.fx",
      "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES "|distortion_coefficients.#|distortion.#|dist.#, xi?=xi|Xi, " MODELS
      ", " POSES ", near?=near, far?=far, name?=name",
      NOTHING_READ, ". r3live_vio camera * cameras.*"},

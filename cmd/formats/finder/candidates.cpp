@@ -53,7 +53,8 @@ constexpr ScalarNames kScalars[] = {
     {"fy", "fy fypixels fypixel fly focaly fv focallengthy focallengthypx fypx camerafy fpy"},
     {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x mx"},
     {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y my"},
-    {"f", "f focal focallength focallengthpx focalpx fpix fpixels focallengthmm focalmm fmm"},
+    {"f", "f focal focallength focallengthpx focalpx fpix fpixels focallengthmm focalmm fmm lens lensmm"},
+    {"sensor", "sensorwidth sensorwidthmm horizontalfilmaperture horizontalaperture haperture filmwidth filmwidthmm"},
     {"w",
      "width sensorwidthpixels widthpixels w rwidth imagewidth imgwidth cols wpx renderwidth framewidth nx imagesizex "
      "xresolution resolutionx integerxresolution camerawidth resx sizex"},

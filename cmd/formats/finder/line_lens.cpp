@@ -184,6 +184,15 @@ std::vector<LineDraft> lensLines(const Candidates& all, const std::vector<Scalar
     if (each->kind == "P") begin("P", {each}, 2 + each->name);
     if (each->kind == "F" || (each->kind == "f" && each->numbers.front() > 5))
       if (const auto centre = bestOf(*each, all, "C")) begin("K", {each, centre->parts.front()}, 4);
+    if (const auto sensor = each->kind == "f" ? bestOf(*each, all, "sensor") : std::nullopt) {
+      const Chosen& width = sensor->parts.front();
+      constexpr double kLeastMillimetres = 3;  // less are Maya's inches
+      const bool isInches = hasWord(width->path(), "film") && width->numbers.front() < kLeastMillimetres;
+      begin("focalLength", {each}, 2);
+      lines.back().add("sensorWidth", sensor->parts, sensor->score, isInches ? "/0.03937007874015748" : "");
+      lines.back().ask.push_back(width->path() + ": " + (isInches ? "inches, and " : "") +
+                                 "the width of what the picture shows, also where that is taller than wide?");
+    }
   }
   for (const Scalars& box : boxes) {
     if (covered.contains(box.begin()->second.get())) continue;
