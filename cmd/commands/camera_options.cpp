@@ -61,8 +61,7 @@ void CameraOptions::add(CLI::App& app) {
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName,
             "Inverse: 'x,y,z rvec:0,0,1', solvePnP's");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture; a file's is resized to it");
-  addOption(app, "--geoid", "N|FILE", setGeoid,
-            "Sea level above the ellipsoid: metres, or a .pgm; without it altitudes are read as heights");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {
