@@ -68,8 +68,7 @@ void CameraOptions::add(CLI::App& app) {
       viewport_ = readSize(option, text);
   };
   addOption(app, "--viewport", "WxH|P%", readViewport, "Size; a file's picture is resized to it, or by 50%");
-  addOption(app, "--geoid", "N|FILE", setGeoid,
-            "Sea level above the ellipsoid: metres, or a .pgm; without it altitudes are read as heights");
+  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {

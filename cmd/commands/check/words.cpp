@@ -230,10 +230,11 @@ bool isLongKnown(std::string_view mistake) {
 }
 
 std::string shownLines(std::span<const std::size_t> lines) {
+  constexpr std::size_t kShown = 10;
   std::string text = lines.size() == 1 ? "line " : "lines ";
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  for (std::size_t i = 0; i < std::min(lines.size(), kShown); ++i)
     text += (i == 0 ? "" : i + 1 == lines.size() ? " and " : ", ") + std::to_string(lines[i]);
-  return text;
+  return text + (lines.size() > kShown ? " and " + std::to_string(lines.size() - kShown) + " more" : "");
 }
 
 std::string sentenceOf(const CameraFile& file, const Explanation& e, double within) {
