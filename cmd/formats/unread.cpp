@@ -438,6 +438,13 @@ class Unread {
 
 }  // namespace
 
+bool mayBeOfCamera(std::string_view name) {
+  constexpr std::string_view kTurns = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
+  return !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
+         (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurns) ||
+          hasWord(name, kLensWords) || hasWord(name, kPoseWords));
+}
+
 Import judged(const std::shared_ptr<Document>& file, Import cameras, std::string_view known) {
   if (known == "*") return cameras;
   const auto unread = std::make_shared<Unread>(file, cameras, known);
