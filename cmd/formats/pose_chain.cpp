@@ -100,7 +100,7 @@ struct Stand {
 /// The pose of another camera, in the axes of this one. field: the direction. lacksAxes: its file says of none.
 Json poseIn(const Json& camera, const Document& file, Json other, bool lacksAxes, const std::string& field) {
   const Stand to(Document{file.name, std::make_shared<Json>(camera)});
-  if (lacksAxes && !other.contains("convention")) other["cameraAxes"] = nameOf(kCameraAxesNames, to.axes);
+  if (lacksAxes && !other.contains("convention") && !other.contains("heading")) other["cameraAxes"] = nameOf(kCameraAxesNames, to.axes);
   const Stand from(Document{file.name, std::make_shared<Json>(other)});
   if (to.world != from.world)
     throw InputError(file.name + ": its world is " + std::string(nameOf(kWorldNames, from.world)) +

@@ -118,7 +118,7 @@ std::vector<std::string> RecordCameras::notes() const {
   if (!first_) return {};
   std::vector<std::string> notes = first_->notes;
   if (const std::string unread = setup_.cameras->unreadOf(firstWhich_); !unread.empty())
-    notes.push_back(first_->name + ": not read: " + unread);
+    notes.push_back(setup_.cameras->name() + ": not read: " + unread);
   return notes;
 }
 
