@@ -221,8 +221,7 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
   };
   const bool statesAxes = !patches_.readAs.empty() || sets("cameraAxes") || sets("convention");
   const bool isOfPixels = import_.hasFocalPixels || sets("projection.fx");
-  if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes)
-    notes.push_back(name_ + ": " + kAxesNote);
+  if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
   for (const std::string& each : import_.notes) notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {

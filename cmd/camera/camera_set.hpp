@@ -50,12 +50,12 @@ struct Import {
   std::string noun = "camera";  ///< in messages about picks
   /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
   std::vector<std::string> worlds = {};
-  bool mayLackPose = false;                   ///< the file may give none; its cameras then stand at the origin
-  bool lacksAxes = false;                     ///< it turns cameras, and says of no axes
+  bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
+  bool lacksAxes = false;    ///< it turns cameras, and says of no axes
   bool hasRotation = false, hasFocalPixels = false;
-  bool hasTranslation = false;                ///< positions are called tx, ty, tz
-  std::vector<std::string> notes = {};        ///< on how its members are read
-  std::vector<std::string> withoutPose = {};  ///< entries of the file that are left out, by name
+  bool hasTranslation = false;                       ///< positions are called tx, ty, tz
+  std::vector<std::string> notes = {};               ///< on how its members are read
+  std::vector<std::string> withoutPose = {};         ///< entries of the file that are left out, by name
   std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {

@@ -30,16 +30,11 @@ struct Family {
 };
 constexpr std::string_view kPlace = "position.x position.y position.z", kSize = "viewport.width viewport.height",
                            kTranslation = "tx ty tz";
-constexpr Family kFamilies[] = {{"x0 y0 z0", kPlace},
-                                {"px py pz", kPlace},
-                                {"c_x c_y c_z", kPlace},
-                                {"camx camy camz", kPlace},
-                                {"posx posy posz", kPlace},
-                                {kTranslation, kPlace},
-                                {"easting northing", kPlace},
-                                {"width height", kSize, false},
-                                {"w h", kSize, false},
-                                {"imagewidth imageheight", kSize},
+constexpr Family kFamilies[] = {{"x0 y0 z0", kPlace},         {"px py pz", kPlace},
+                                {"c_x c_y c_z", kPlace},      {"camx camy camz", kPlace},
+                                {"posx posy posz", kPlace},   {kTranslation, kPlace},
+                                {"easting northing", kPlace}, {"width height", kSize, false},
+                                {"w h", kSize, false},        {"imagewidth imageheight", kSize},
                                 {"imgwidth imgheight", kSize}};
 /// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
 /// across or up. Each with its columns.
@@ -177,9 +172,7 @@ bool CameraColumns::hasTurn() const {
   return isOpk_ || has("rotation") || has("euler") || has("heading") || has("target") || has("direction");
 }
 
-bool CameraColumns::hasRotation() const {
-  return has("rotation") || has("worldFromCamera") || has("cameraFromWorld");
-}
+bool CameraColumns::hasRotation() const { return has("rotation") || has("worldFromCamera") || has("cameraFromWorld"); }
 
 bool CameraColumns::lacksAxes() const {
   return (hasRotation() || isRobots_) && !isOpk_ && !has("cameraAxes") && !has("convention");

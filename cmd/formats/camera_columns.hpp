@@ -13,8 +13,8 @@ namespace viewproj::cmd {
 /// What the columns of a table or record are, once for all rows.
 class CameraColumns {
  public:
-  /// columns: an object with their names. isRecord: they stand beside what is no camera's, as the box of a detection, so
-  /// that a width and a height are not the picture's. hasNorth: the world has, so that a yaw is a heading.
+  /// columns: an object with their names. isRecord: they stand beside what is no camera's, as the box of a detection,
+  /// so that a width and a height are not the picture's. hasNorth: the world has, so that a yaw is a heading.
   explicit CameraColumns(const Json& columns, bool isRecord = false, bool hasNorth = false);
 
   /// Where a column stands in our document, or empty: a field's path, or one of our own for what is computed.
@@ -40,7 +40,8 @@ class CameraColumns {
 
   std::map<std::string, std::string, std::less<>> paths_;
   std::vector<std::string> notes_;
-  bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false, isRobots_ = false;  ///< isRobots: yaw is no heading
+  bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false,
+       isRobots_ = false;  ///< isRobots: yaw is no heading
   bool hasTranslation_ = false;
   bool isPerspective_ = false;    ///< only an orthographic camera has a window of a size
   bool isHeightUnclear_ = false;  ///< no other column is the place's

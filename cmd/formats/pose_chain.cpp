@@ -70,8 +70,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
-  PoseFactor factor{file, {}, read.field, isOfCamera, read.poses.lacksAxes, pick.has_value(),
-                    read.poses.notes};
+  PoseFactor factor{file, {}, read.field, isOfCamera, read.poses.lacksAxes, pick.has_value(), read.poses.notes};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
     factor.cameras.push_back(read.poses.cameras[i]);
   return factor;
@@ -100,7 +99,8 @@ struct Stand {
 /// The pose of another camera, in the axes of this one. field: the direction. lacksAxes: its file says of none.
 Json poseIn(const Json& camera, const Document& file, Json other, bool lacksAxes, const std::string& field) {
   const Stand to(Document{file.name, std::make_shared<Json>(camera)});
-  if (lacksAxes && !other.contains("convention") && !other.contains("heading")) other["cameraAxes"] = nameOf(kCameraAxesNames, to.axes);
+  if (lacksAxes && !other.contains("convention") && !other.contains("heading"))
+    other["cameraAxes"] = nameOf(kCameraAxesNames, to.axes);
   const Stand from(Document{file.name, std::make_shared<Json>(other)});
   if (to.world != from.world)
     throw InputError(file.name + ": its world is " + std::string(nameOf(kWorldNames, from.world)) +
@@ -157,10 +157,10 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   const std::string both =
       option + " " + (isWorldFirst ? "POSE " : name + " ") + option + " " + (isWorldFirst ? name : "POSE");
   const std::string replaced = "its own pose, which " + option + " replaces (" + both + " keeps both)";
-  result.lacksAxes = result.hasTranslation = false;
   for (const PoseFactor& factor : *factors)
     result.notes.insert(result.notes.end(), factor.notes.begin(), factor.notes.end());
   const bool isKept = std::any_of(factors->begin(), factors->end(), isOwn);
+  if (!isKept) result.lacksAxes = result.hasTranslation = false;
   if (!isKept && !opening.pick && result.cameras.size() > 1 &&
       std::any_of(result.cameras.begin(), result.cameras.end(),
                   [](const CameraEntry& camera) { return hasPose(camera.document()); }))

@@ -446,7 +446,7 @@ class Unread {
 
 bool mayBeOfCamera(std::string_view name) {
   constexpr std::string_view kTurns = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
-  return !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
+  return name.size() > 1 && !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
          (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurns) ||
           hasWord(name, kLensWords) || hasWord(name, kPoseWords));
 }
