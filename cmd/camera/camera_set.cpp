@@ -226,11 +226,15 @@ void CameraSet::failPick(const std::string& pick) const {
 
 std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick) const {
   std::vector<std::string> notes;
-  const bool statesAxes =
-      !patches_.readAs.empty() || std::any_of(patches_.patches.begin(), patches_.patches.end(), [](const Patch& patch) {
-        return patch.path == "cameraAxes" || patch.path.starts_with("convention");
-      });
-  if (import_.hasUnclearAxes && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
+  const auto sets = [&](std::string_view path) {
+    return std::any_of(patches_.patches.begin(), patches_.patches.end(),
+                       [&](const Patch& patch) { return patch.path.starts_with(path); });
+  };
+  const bool statesAxes = !patches_.readAs.empty() || sets("cameraAxes") || sets("convention");
+  const bool isOfPixels = import_.hasFocalPixels || sets("projection.fx");
+  if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
+  if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
+  for (const std::string& each : import_.notes) notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);

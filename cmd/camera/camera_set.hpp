@@ -22,6 +22,11 @@ namespace viewproj::cmd {
 inline constexpr const char* kAxesNote =
     "rotations are read with axes RUB: right, up, back; --set cameraAxes=RDF if the camera looks along its z";
 
+/// Where a position is called tx, ty, tz.
+inline constexpr const char* kTranslationNote =
+    "tx, ty, tz are read as the camera's position, as TUM and ROS mean them, and not as a translation of "
+    "cameraFromWorld, as COLMAP's";
+
 /// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty
@@ -46,8 +51,11 @@ struct Import {
   std::string noun = "camera";  ///< in messages about picks
   /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
   std::vector<std::string> worlds = {};
-  bool mayLackPose = false;                          ///< the file may give none; its cameras then stand at the origin
-  bool hasUnclearAxes = false;                       ///< it has turns in our axes, and may mean those of others
+  bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
+  bool lacksAxes = false;    ///< it turns cameras, and says of no axes
+  bool hasRotation = false, hasFocalPixels = false;
+  bool hasTranslation = false;                       ///< positions are called tx, ty, tz
+  std::vector<std::string> notes = {};               ///< on how its members are read
   std::vector<std::string> withoutPose = {};         ///< entries of the file that are left out, by name
   std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 

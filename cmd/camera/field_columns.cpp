@@ -6,6 +6,7 @@
 #include "camera/fields.hpp"
 #include "camera/sea_level.hpp"
 #include "text/names.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -23,6 +24,9 @@ constexpr std::string_view kShort[][2] = {{"position.x", "x"},
                                           {"heading", "yaw"},
                                           {"projection.fx", "flx focalx"},
                                           {"projection.fy", "fly focaly"},
+                                          {"projection.fovX", "hfov"},
+                                          {"projection.fovY", "vfov"},
+                                          {"projection.fovDiagonal", "dfov"},
                                           {"projection.cx", "ppx u0 principalpointx"},
                                           {"projection.cy", "ppy v0 principalpointy"}};
 /// Names that may be of something else: only their whole path is a camera's.
@@ -38,6 +42,11 @@ bool isOneOf(const std::string& letters, std::string_view words) {
 bool isSeaLevelName(std::string_view name) {
   return std::any_of(std::begin(kSeaLevelNames), std::end(kSeaLevelNames),
                      [&](std::string_view known) { return sameButForCase(known, name); });
+}
+
+std::string seaLevelNote(std::string_view name) {
+  return inQuotes(name) +
+         " is taken as height above the ellipsoid; heights above sea level differ from it by up to 107 m";
 }
 
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {

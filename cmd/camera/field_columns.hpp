@@ -11,6 +11,8 @@ namespace viewproj::cmd {
 inline constexpr std::string_view kHeightNames[] = {"h", "alt", "altitude", "elevation", "ele"};
 inline constexpr std::span kSeaLevelNames = std::span(kHeightNames).subspan(1);
 bool isSeaLevelName(std::string_view name);
+/// Without --geoid, of a height with such a name.
+std::string seaLevelNote(std::string_view name);
 
 /// Where the value of a column stands in a camera document: its path, or one that has a short name, such as x, lat, qx,
 /// yaw or fovX. Letters and digits count alone, in any case. Empty: it is no field of a camera. isOnEarth: another

@@ -60,8 +60,11 @@ struct PoseReader {
     const auto angle = [&](FieldId field) { return values.valueOr(field, Angle(0)); };
     const HeadingPitchRoll angles{angle("heading"), angle("pitch"), angle("roll")};
     if (position.place) return poseFromHeadingPitchRoll(*position.place, angles);
+    if (worldKind == World::ecef)
+      return movedTo(poseFromHeadingPitchRoll(ecefToGeodetic(position.point), angles), position.point);
     if (worldKind != World::enu)
-      values.fail("position", R"(needs lat, lon and height, or "world": "enu", for a heading, pitch or roll)");
+      values.fail("position",
+                  R"(needs lat, lon and height, or "world": "enu" (--set world=enu), for a heading, pitch or roll)");
     return poseInEastNorthUp(position.point, angles);
   }
 
@@ -167,7 +170,13 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
   const auto* const position = values.find<Position>("position");
   if (!pose || !position) return pose;
   const auto* const target = values.find<Position>("target");
-  if (position->error == 0 && !position->isRounded && (!target || target->error == 0)) return withError(*pose, {});
+  // The north of a position in metres is as exact as its place.
+  const bool isOfNorth = values.has("heading") || values.has("pitch") || values.has("roll");
+  const double axis = std::hypot(pose->eye().x, pose->eye().y);
+  const bool isNorthFound = isOfNorth && worldOf(values) == World::ecef && !position->place && axis > 0;
+  const double north = isNorthFound ? placeError(pose->eye()) / axis : 0;
+  if (position->error == 0 && !position->isRounded && (!target || target->error == 0))
+    return withError(*pose, {0, north});
   const auto* const up = values.find<Vec3>("up");
   const Geodetic place = position->place ? *position->place : ecefToGeodetic(pose->eye());
   const Vec3 upward = up ? rounded(normalized(toDoubleDouble(*up))) : ellipsoidNormal(place);

@@ -237,7 +237,8 @@ CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, b
     throw UsageError("--geoid is of heights on the Earth, and " + file.name + " is not there");
   if (onlyReads_ && file.pose) noteHandedness(file);
   for (const std::string& each : file.notes) note(each);
-  if (const std::string unread = cameras.unreadOf(which); !unread.empty()) note(file.name + ": not read: " + unread);
+  if (const std::string unread = cameras.unreadOf(which); !unread.empty())
+    note(cameras.name() + ": not read: " + unread);
   return file;
 }
 

@@ -59,8 +59,8 @@ std::vector<std::size_t> camerasOnce(const CameraSet& cameras, std::vector<std::
   for (const std::size_t i : which)
     if (cameras.isOfAnother(i)) names.push_back("#" + cameras.pickOf(i));
   if (which.size() < cameras.size() || names.empty() || names.size() == which.size()) return which;
-  note(cameras.name() + ": left out: " + visible(joined(names)) +
-       (names.size() == 1 ? ", no camera of its own" : ", no cameras of their own") + "; FILE#NAME takes one");
+  note(cameras.name() + ": left out: " + visible(joined(names)) + (names.size() == 1 ? ", which is" : ", which are") +
+       " of another camera of the file; " + cameras.name() + visible(names.front()) + " takes it alone");
   std::erase_if(which, [&](std::size_t i) { return cameras.isOfAnother(i); });
   return which;
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "camera/field_columns.hpp"
 #include "camera/sea_level.hpp"
 #include "formats/format.hpp"
 #include "formats/value.hpp"
@@ -106,6 +107,8 @@ bool holdsPictures(const Node& root) {
   return false;
 }
 
+constexpr const char* kAbsolute = "AbsoluteAltitude";
+
 /// A row of exiftool's table.
 Json pictureOf(const Node& row) {
   const auto cell = [&](std::string_view name, const std::string& otherwise = "") {
@@ -115,7 +118,7 @@ Json pictureOf(const Node& row) {
     return *number;
   };
   requirePlain(row);
-  const auto altitude = cellOf(row, "AbsoluteAltitude");
+  const auto altitude = cellOf(row, kAbsolute);
   const auto* turn =
       std::find_if(std::begin(kTurns), std::end(kTurns), [&](const auto& t) { return columnOf(row, t[0]); });
   if (turn == std::end(kTurns)) turn = std::begin(kTurns);
@@ -146,6 +149,8 @@ Json pictureOf(const Node& row) {
 
 Import openPictures(const Node& root) {
   Import result;
+  const char* const altitude = columnOf(root[0], kAbsolute) ? kAbsolute : "GPSAltitude";
+  if (!hasGeoid() && columnOf(root[0], altitude)) result.notes.push_back(seaLevelNote(altitude));
   for (std::size_t i = 0; i < root.size(); ++i)
     result.add(fileOf(root[i]), "", [row = root[i]] { return pictureOf(row); });
   return result;

@@ -22,13 +22,16 @@ struct PoseFactor {
   std::string field;
   bool isOfCamera = false;  ///< of axes that its file states
   bool isOwn = false;       ///< the cameras' own file: each has its own pose
+  bool lacksAxes = false;   ///< but for this one, whose axes are those of the camera that the pose is for
+  bool isPicked = false;    ///< of a file with more poses, or of none
+  std::vector<std::string> notes = {};
 };
 
 /// A pose that is typed, or printed in a file of no form.
 PoseFactor factorOf(Json pose, const std::string& field) {
   CameraEntry camera;
   camera.document = [pose = std::move(pose), field] { return Json{{field, pose}}; };
-  return {nullptr, {camera}, field};
+  return {.file = nullptr, .cameras = {camera}, .field = field, .isPicked = true};
 }
 
 /// own: the name of the cameras' file.
@@ -46,9 +49,11 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
     file->marks = std::make_shared<std::unordered_set<const void*>>();
     if (file->fault.empty()) read = posesOf(Node(*file));
     isOfCamera = read.poses.cameras.empty();
-    if (isOfCamera)
-      read = {importFile(file, {.option = opening.option, .pick = isOwn && !pick ? opening.pick : pick}, ""), field,
-              true};
+    if (isOfCamera) {
+      Import cameras = importFile(file, {.option = opening.option, .pick = isOwn && !pick ? opening.pick : pick}, "");
+      const std::string stated = cameras.hasTranslation ? "worldFromCamera" : field;
+      read = {std::move(cameras), stated, true};
+    }
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
     const std::vector<Json> printed = printedPoses(unknown.text);
@@ -68,7 +73,8 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
-  PoseFactor factor{file, {}, read.field, isOfCamera, isOfCamera && isOwn};
+  PoseFactor factor{
+      file, {}, read.field, isOfCamera, isOfCamera && isOwn, read.poses.lacksAxes, pick.has_value(), read.poses.notes};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
     factor.cameras.push_back(read.poses.cameras[i]);
   return factor;
@@ -94,9 +100,11 @@ struct Stand {
   }
 };
 
-/// The pose of another camera, in the axes of this one. field: the direction.
-Json poseIn(const Json& camera, const Document& file, const Json& other, const std::string& field) {
+/// The pose of another camera, in the axes of this one. field: the direction. lacksAxes: its file says of none.
+Json poseIn(const Json& camera, const Document& file, Json other, bool lacksAxes, const std::string& field) {
   const Stand to(Document{file.name, std::make_shared<Json>(camera)});
+  if (lacksAxes && !other.contains("convention") && !other.contains("heading"))
+    other["cameraAxes"] = nameOf(kCameraAxesNames, to.axes);
   const Stand from(Document{file.name, std::make_shared<Json>(other)});
   if (to.world != from.world)
     throw InputError(file.name + ": its world is " + std::string(nameOf(kWorldNames, from.world)) +
@@ -114,10 +122,10 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t whi
             const std::string& direction) {
   for (const char* field : kPoseFields) camera.erase(field);
   Json poses = Json::array();
-  for (const auto& [file, cameras, field, isOfCamera, isOwn] : factors) {
+  for (const auto& [file, cameras, field, isOfCamera, isOwn, lacksAxes, isPicked, notes] : factors) {
     const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
     if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
-    poses.push_back(isOfCamera ? poseIn(camera, *file, pose, field) : pose[field]);
+    poses.push_back(isOfCamera ? poseIn(camera, *file, pose, lacksAxes, field) : pose[field]);
   }
   camera[direction] = poses.size() == 1 ? poses.front() : poses;
   return camera;
@@ -141,6 +149,11 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
                        "; pick one of either");
     several = &factor;
   }
+  // A trajectory of one names its camera as a longer one does.
+  for (const PoseFactor& factor : *factors)
+    if (!several && result.cameras.size() == 1 && !factor.isPicked && !factor.isOwn &&
+        !factor.cameras.front().name.empty())
+      several = &factor;
   std::string folder;
   std::size_t first = 0;
   if (several && opening.pick) {
@@ -153,9 +166,11 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   const std::string both =
       option + " " + (isWorldFirst ? "POSE " : name + " ") + option + " " + (isWorldFirst ? name : "POSE");
   const std::string replaced = "its own pose, which " + option + " replaces (" + both + " keeps both)";
-  result.hasUnclearAxes = false;
+  for (const PoseFactor& factor : *factors)
+    result.notes.insert(result.notes.end(), factor.notes.begin(), factor.notes.end());
   const bool isKept =
       std::any_of(factors->begin(), factors->end(), [](const PoseFactor& factor) { return factor.isOwn; });
+  if (!isKept) result.lacksAxes = result.hasTranslation = false;
   if (!isKept && !opening.pick && result.cameras.size() > 1 &&
       std::any_of(result.cameras.begin(), result.cameras.end(),
                   [](const CameraEntry& camera) { return hasPose(camera.document()); }))
@@ -177,6 +192,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
     return result;
   }
   Import all;
+  all.notes = result.notes;
   // Of the camera's file, though the poses' gives the names; once, for all of them.
   all.unread = [unreadOf, name, isTold = std::make_shared<bool>(false)](std::size_t) -> std::string {
     const std::string names = *isTold ? "" : unreadOf(0);

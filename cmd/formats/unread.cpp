@@ -246,11 +246,14 @@ class Unread {
     constexpr std::size_t kMost = 8;
     std::vector<std::string> names, faulty;
     std::string fault;  // the first
+    const std::string in = own ? own->path() : "";
+    const bool isItem = in.find_first_not_of("0123456789", in.rfind('.') + 1) == in.npos && !in.empty();
+    const std::string item = isItem ? in + "." : "";
     for (const std::vector<Left>* list : {&lists.left, &shared_->left})
       for (const Left& left : *list) {
         try {
           requirePixels(left, camera);
-          if (!isSaidTwice(left, camera)) judge(left, lists, names);
+          if (!isSaidTwice(left, camera)) judge(left, lists, item, names);
         } catch (const InputError& e) {
           if (fault.empty()) fault = e.what();
           if (std::find(faulty.begin(), faulty.end(), left.node.path()) == faulty.end())
@@ -399,12 +402,15 @@ class Unread {
     return called + "read it by --parts (viewproj help parts)";
   }
 
-  void judge(const Left& left, const Lists& lists, std::vector<std::string>& names) const {
+  /// item: the path of the list's item that the camera is, with a dot; its members have one name in all of them.
+  void judge(const Left& left, const Lists& lists, const std::string& item, std::vector<std::string>& names) const {
     for (const Lists* each : {&lists, shared_ ? &*shared_ : nullptr})
       if (each && std::find(each->read.begin(), each->read.end(), left.numbers) != each->read.end()) return;
-    if (!left.areMembers && isKnown(left.name, "?")) return names.push_back(left.node.path());
+    const std::string& path = left.node.path();
+    const std::string called = path.starts_with(item) ? path.substr(item.size()) : path;
+    if (!left.areMembers && isKnown(left.name, "?")) return names.push_back(called);
     if (!left.numbers.empty() && (hasWord(left.name, kNoise) || hasWord(left.box, kOfTrials))) return;
-    if (left.numbers.empty() && left.meaning == Meaning::unclear) return names.push_back(left.node.path());
+    if (left.numbers.empty() && left.meaning == Meaning::unclear) return names.push_back(called);
     const std::vector<double> m = oneOf(left.node, left.numbers);
     const std::size_t count = m.size();
     const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
@@ -425,7 +431,7 @@ class Unread {
     if (isLens && !isOne && count <= 16)
       left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
     if (count < 3 && (left.nearness == Nearness::far || areAllOne(m))) return;
-    names.push_back(left.node.path());
+    names.push_back(called);
   }
 
   std::shared_ptr<Document> file_;
@@ -437,6 +443,13 @@ class Unread {
 };
 
 }  // namespace
+
+bool mayBeOfCamera(std::string_view name) {
+  constexpr std::string_view kTurns = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
+  return name.size() > 1 && !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
+         (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurns) ||
+          hasWord(name, kLensWords) || hasWord(name, kPoseWords));
+}
 
 Import judged(const std::shared_ptr<Document>& file, Import cameras, std::string_view known) {
   if (known == "*") return cameras;

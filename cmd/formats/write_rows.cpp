@@ -84,7 +84,7 @@ std::vector<WrittenFile> writeStereo(const WrittenCamera& first, const WrittenCa
     const std::string number = camera == &first ? "1" : "2";
     const std::optional<Lens>& lens = camera->file.lens;
     if (lens && lens->model() != LensModel::brown)
-      fail("the lens " + std::string(nameOf(lens->model())) + "; --ignore-distortion leaves it out");
+      fail("the lens " + std::string(nameOf(lens->model())) + "; --ignore-distortion leaves out the whole distortion");
     const auto k = matrixOf(atCentres(*camera));
     const std::vector<double> c = lens ? coefficientsOf(*lens) : std::vector<double>(5);
     entries.push_back({"M" + number, 3, 3, {k.begin(), k.end()}});

@@ -46,7 +46,7 @@ constexpr Writer kWriters[] = {
     {"tum", "", kPosesAlone | kNamedPoses | kQuaternions, writeTum},
     {"csv", ".csv",
      kPicture | kOffCentrePlace | kNearPlace | kOpenCvLens | kUnifiedPlace | kDoubleSpherePlace | kOmniPlace |
-         kWholeOmniPlace | kFovPlace | kNamedPoses | kQuaternions,
+         kWholeOmniPlace | kFovPlace | kNamedPoses | kQuaternions | kEarthPlace,
      writeTable},
 };
 
@@ -144,7 +144,7 @@ class Places {
   }
 
   void requireLens(const Lens& lens) {
-    const std::string without = "; --ignore-distortion leaves it out";
+    const std::string without = "; --ignore-distortion leaves out the whole distortion";
     const std::string model(nameOf(lens.model()));
     if (lacks(static_cast<Place>(placeOf(lens)))) lack("the lens " + model + without);
     const auto& k = lens.k();
@@ -255,7 +255,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      std::string(writer.name) + " holds " + (most == 1 ? "one" : std::to_string(most)) +
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
-  bool isFromBottom = false;
+  bool isFromBottom = false, isOnEarth = false;
   for (const WrittenCamera& camera : cameras) {
     Places(camera, writer).require();
     const CameraFile& file = camera.file;
@@ -264,6 +264,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
     hasNear = hasNear || (file.projection && hasDepth(*file.projection));
     hasFar = hasFar || (file.projection && std::isfinite(file.projection->zFar()));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
+    isOnEarth = isOnEarth || file.worldIsEcef;
     isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
   }
@@ -280,6 +281,9 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (const double error = lacks(kQuaternions) ? 0 : rotationError(cameras); error > kRounding)
     told += (told.empty() ? form : "; it") + " has quaternions, and a matrix is " + formatDigits(error, 2) +
             " off a rotation: the nearest is written";
+  if (isOnEarth && lacks(kEarthPlace) && !lacks(kPosePlace))
+    told += (told.empty() ? form : "; it") +
+            " has positions in metres from the Earth's centre, which a program with float32 rounds to half a metre";
   return told;
 }
 

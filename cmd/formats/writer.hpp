@@ -78,6 +78,7 @@ enum Place : std::uint32_t {
   kWholeOmniPlace = 1 << 24,   ///< k3 to k6 of it
   kYIsUp = 1 << 25,            ///< in its world, and no form says otherwise
   kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0
+  kEarthPlace = 1 << 27,       ///< latitudes and longitudes
 };
 
 struct WrittenFile {

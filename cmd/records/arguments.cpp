@@ -36,8 +36,8 @@ PointArgument readPointArgument(const std::string& option, const std::string& te
   for (const auto& value : values.picks) {
     const auto number = parseNumber(value.name);
     if (!number) throw wrong(option, text, std::string(value.role) + " is not a finite number");
-    point.numbers.emplace_back(value.isAltitude ? "altitude" : value.role, *number);
-    point.isAltitude |= value.isAltitude;
+    point.numbers.emplace_back(value.altitude.empty() ? std::string(value.role) : value.altitude, *number);
+    point.isAltitude |= !value.altitude.empty();
   }
   return point;
 }

@@ -12,7 +12,7 @@ namespace viewproj::cmd {
 /// X,Y,Z[,W]; or each number with its role, in any order, as in lat=47,lon=8,height=1500.
 struct PointArgument {
   std::string text;  ///< as typed, after the option
-  std::vector<std::pair<std::string_view, double>> numbers;
+  std::vector<std::pair<std::string, double>> numbers;
   bool hasRoles = false, isAltitude = false;  ///< isAltitude: the height is above sea level
 
   bool isPlace() const { return numbers[0].first == "lat"; }

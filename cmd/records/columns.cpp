@@ -129,7 +129,8 @@ ColumnChoice readPicks(const std::string& option, const std::string& text, const
       throw wrong("write each with its role and =, or none; " + expected(choosable));
     if (picks.size() == kMostPicks) throw wrong("too many; " + expected(choosable));
     choice.hasRoles = role.has_value();
-    picks.push_back({role ? roleNamed(*role, choosable) : "", isSeaLevelName(role.value_or(name)), name});
+    const std::string& called = role ? *role : name;
+    picks.push_back({role ? roleNamed(*role, choosable) : "", isSeaLevelName(called) ? called : "", name});
     if (role && picks.back().role.empty()) throw wrong(inQuotes(*role) + " is not a role; " + expected(choosable));
   }
   if (!choice.hasRoles && !(areNames && (choice.hasRoles = assignByName(text, picks, choosable))))
@@ -219,8 +220,7 @@ NumberPlan chosenFields(const ColumnChoice& choice, const RecordView& record, bo
       if (other.field == field)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) + " twice");
     plan.fields.push_back({field, 1, 1, false, mayBeAbsent});
-    if (pick.isAltitude && pick.role == coordinates::place.parts[2].name)
-      noteSeaLevel(isSeaLevelName(pick.name) ? pick.name : "altitude", plan);
+    if (pick.role == coordinates::place.parts[2].name) noteSeaLevel(pick.altitude, plan);
   }
   return plan;
 }

@@ -47,7 +47,7 @@ inline constexpr ChoosableColumns kPointColumns{kPointRows, {}, "E,N,U or x=E,y=
 struct ColumnChoice {
   struct Pick {
     std::string_view role;     ///< "x"
-    bool isAltitude = false;   ///< a height by the name of one above sea level
+    std::string altitude;      ///< the name of a height that may be above sea level, as written
     std::string name;          ///< name of the column or field, or the value
     std::size_t number = 0;    ///< number of the column, from 1; 0: use its name
     std::size_t nameless = 0;  ///< number of the column if columns have no names

@@ -77,9 +77,4 @@ bool isWhole(std::span<const PartMatch> matches) {
   return std::all_of(matches.begin(), matches.end(), [](const PartMatch& match) { return match.field.has_value(); });
 }
 
-std::string seaLevelNote(std::string_view name) {
-  return inQuotes(name) +
-         " is taken as height above the ellipsoid; heights above sea level differ from it by up to 107 m";
-}
-
 }  // namespace viewproj::cmd

@@ -151,6 +151,4 @@ std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span
 /// Whether every part has a field.
 bool isWhole(std::span<const PartMatch> matches);
 
-std::string seaLevelNote(std::string_view name);
-
 }  // namespace viewproj::cmd

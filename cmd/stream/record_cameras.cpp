@@ -4,9 +4,10 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "camera/field_columns.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_pose.hpp"
+#include "formats/pose_chain.hpp"
+#include "formats/unread.hpp"
 #include "output/output_file.hpp"
 #include "output/record_writer.hpp"
 #include "text/csv.hpp"
@@ -20,40 +21,18 @@
 namespace viewproj::cmd {
 namespace {
 
-// ---- Fields of a camera
-
-/// The camera's fields in a record; those that are empty are left out.
-Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
-  Json camera = Json::object();
-  for (const CameraField& field : fields) {
-    const std::string_view text = record.values[field.field];
-    Json value;
-    if (record.schema->form == Form::csv) {
-      const std::string cell(trimmed(csvValue(text)));
-      if (cell.empty()) continue;
-      try {
-        value = *setPatch(field.path + "=" + cell).value;
-      } catch (const UsageError& e) {
-        throw RecordError(record.offset(field.field), visible(record.schema->names[field.field]) + ": " + e.what());
-      }
-    } else if (const auto fault = parseJson(std::string(text), value)) {
-      throw RecordError(record.offset(field.field), fault->message);
-    }
-    if (value.is_null()) continue;
-    try {
-      Json& at = placeAt(camera, field.path);
-      if (at.is_object() && value.is_object())
-        at.merge_patch(value);
-      else
-        at = std::move(value);
-    } catch (const Json::exception&) {
-      throw RecordError(record.offset(field.field),
-                        visible(record.schema->names[field.field]) + " is said by another field too; keep one");
-    }
+/// The values of a record's fields, as a row of a table has them.
+Json rowOf(const RecordView& record, std::span<const std::size_t> fields) {
+  Json row = Json::object();
+  for (const std::size_t field : fields) {
+    const std::string_view text = record.values[field];
+    Json& value = row[record.schema->names[field]];
+    if (record.schema->form == Form::csv)
+      value = trimmed(csvValue(text));
+    else if (const auto fault = parseJson(std::string(text), value))
+      throw RecordError(record.offset(field), fault->message);
   }
-  if (const auto q = camera.find("rotation"); q != camera.end() && q->is_object())
-    *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
-  return camera;
+  return row;
 }
 
 std::size_t placeOf(const RecordView& record, std::size_t field) {
@@ -109,6 +88,7 @@ RecordCameras::RecordCameras(Setup setup) : setup_(std::move(setup)) {
   const CameraSet& cameras = *setup_.cameras;
   if (setup_.choice == CameraChoice::own) {
     base_ = cameras.document(setup_.picked.front());
+    isUnplaced_ = cameras.mayLackPose() && !hasPose(*base_.root) && !base_.labels.contains("position");
     worldIsEcef_ = worldOf(readValues(base_)) == World::ecef;
     return;
   }
@@ -138,7 +118,7 @@ std::vector<std::string> RecordCameras::notes() const {
   if (!first_) return {};
   std::vector<std::string> notes = first_->notes;
   if (const std::string unread = setup_.cameras->unreadOf(firstWhich_); !unread.empty())
-    notes.push_back(first_->name + ": not read: " + unread);
+    notes.push_back(setup_.cameras->name() + ": not read: " + unread);
   return notes;
 }
 
@@ -167,47 +147,44 @@ const RecordCamera& RecordCameras::cameraOf(std::size_t which) const {
   return *kept.camera;
 }
 
-void RecordCameras::noteAxes(const std::vector<CameraField>& fields) const {
-  const auto has = [&](std::initializer_list<std::string_view> tops) {
-    return std::any_of(tops.begin(), tops.end(), [&](std::string_view top) {
-      return std::any_of(fields.begin(), fields.end(), [&](const CameraField& field) {
-        return field.path == top || field.path.starts_with(std::string(top) + ".");
-      });
-    });
-  };
+void RecordCameras::noteReading(const CameraColumns& columns, const std::vector<std::string>& unread) const {
   const bool statesAxes = base_.root->contains("cameraAxes") || base_.root->contains("convention");
-  const bool isOfPixels = valueAt(*base_.root, "projection.fx") || has({"projection.fx"});
-  if (statesAxes || !isOfPixels || has({"cameraAxes", "convention"}) ||
-      !has({"rotation", "worldFromCamera", "cameraFromWorld"}))
-    return;
-  std::call_once(*axesNoted_, [] { note(kAxesNote); });
+  const bool isOfPixels = valueAt(*base_.root, "projection.fx") || columns.hasFocalPixels();
+  if (columns.lacksAxes() && columns.hasRotation() && isOfPixels && !statesAxes) note(kAxesNote);
+  if (columns.hasTranslation()) note(kTranslationNote);
+  for (const std::string& each : columns.notes()) note(each);
+  if (!unread.empty()) note("the camera in a record: not read: " + joined(unread));
 }
 
-std::vector<CameraField> RecordCameras::locate(const RecordView& record, const NumberPlan& plan) const {
+RecordCameraFields RecordCameras::locate(const RecordView& record, const NumberPlan& plan) const {
   if (setup_.choice == CameraChoice::named) return {{cameraFieldOf(setup_.field, record)}};
   if (setup_.choice != CameraChoice::own) return {};
   const Schema& schema = *record.schema;
   if (schema.isArray || (schema.form == Form::csv && !schema.hasHeader))
     throw RecordError(0, "has numbers without names, and --camera-in-record needs the names of a camera's fields");
-  std::vector<CameraField> fields;
+  Json names = Json::object();
   const auto isUsed = [&](std::size_t i) {
     return std::any_of(plan.fields.begin(), plan.fields.end(),
                        [&](const NumberField& used) { return used.field == i; });
   };
-  const auto isLat = [&](std::size_t i) {
-    return !isUsed(i) && pathOfColumn(schema.names[i], false) == "position.lat";
-  };
-  bool hasPlace = false;
-  for (std::size_t i = 0; i < schema.names.size(); ++i) hasPlace = hasPlace || isLat(i);
   for (std::size_t i = 0; i < schema.names.size(); ++i)
-    if (const std::string path = isUsed(i) ? "" : pathOfColumn(schema.names[i], hasPlace); !path.empty())
-      fields.push_back({i, path});
-  if (fields.empty())
+    if (!isUsed(i)) names[schema.names[i]];
+  const bool hasNorth = worldIsEcef_ || base_.root->value("world", "") != "";
+  const auto columns = std::make_shared<const CameraColumns>(names, true, hasNorth);
+  RecordCameraFields all{{}, columns};
+  std::vector<std::string> unread;
+  for (std::size_t i = 0; i < schema.names.size(); ++i) {
+    const std::string& name = schema.names[i];
+    if (isUsed(i)) continue;
+    if (columns->reads(name))
+      all.fields.push_back(i);
+    else if (mayBeOfCamera(name))
+      unread.push_back(visible(name));
+  }
+  if (all.fields.empty())
     throw RecordError(0, "has no field of a camera, such as heading, target.x or fovY" + fieldsNote(schema));
-  noteAxes(fields);
-  if (const auto again = firstRepeated(fields, [](const CameraField& field) -> std::string_view { return field.path; }))
-    throw RecordError(record.offset(fields[*again].field), "has " + fields[*again].path + " of the camera twice");
-  return fields;
+  std::call_once(*readingNoted_, [&] { noteReading(*columns, unread); });
+  return all;
 }
 
 std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPicked, const RecordView& record,
@@ -231,15 +208,18 @@ const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::si
   }
 }
 
-RecordCamera RecordCameras::ownCamera(const RecordView& record, std::span<const CameraField> fields) const {
-  const Json said = fieldsOf(record, fields);
+RecordCamera RecordCameras::ownCamera(const RecordView& record, const RecordCameraFields& of) const {
+  Document row{"its camera", std::make_shared<Json>(rowOf(record, of.fields))};
   try {
+    row.root = std::make_shared<Json>(of.columns->documentOf(Node(row)));
+    normalize(row);
     Document document = base_;
     document.root = std::make_shared<Json>(*base_.root);
-    document.name = "its camera";
-    for (const CameraField& field : fields) document.labels.erase(field.path);
-    normalize(document);
-    layOver(document, said);
+    document.name = row.name;
+    for (const std::size_t field : of.fields) document.labels.erase(of.columns->pathOf(record.schema->names[field]));
+    // A place that no file states is no place for a turn that is stated.
+    if (isUnplaced_ && of.columns->hasTurn()) document.root->erase("position");
+    layOver(document, *row.root);
     const CameraFile file = readCamera(document, setup_.reading);
     requireWorld(file);
     setup_.require(file);
@@ -247,29 +227,29 @@ RecordCamera RecordCameras::ownCamera(const RecordView& record, std::span<const 
   } catch (const RecordError&) {
     throw;
   } catch (const std::runtime_error& e) {
-    throw RecordError(record.offset(fields.front().field), e.what());
+    throw RecordError(record.offset(of.fields.front()), e.what());
   }
 }
 
-std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& record,
-                                                          std::span<const CameraField> fields) {
+std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& record, const RecordCameraFields& of) {
   const CameraChoice choice = cameras_.setup_.choice;
   if (choice == CameraChoice::one || choice == CameraChoice::each) return cameras_.all_;
   text_.clear();
   if (choice == CameraChoice::own)
-    for (const CameraField& field : fields) {
-      text_ += record.values[field.field];
+    for (const std::size_t field : of.fields) {
+      text_ += record.values[field];
       text_ += '\n';
-      text_ += std::to_string(&field - fields.data()) + field.path;
+      text_ += record.schema->names[field];
+      text_ += '\n';
     }
   else
-    text_ = cameraNameAt(record, fields.front().field);
+    text_ = cameraNameAt(record, of.fields.front());
   if (!last_ || text_ != lastText_) {
     last_ = nullptr;
     if (choice == CameraChoice::named)
-      last_ = &cameras_.cameraNamed(record, fields.front().field);
+      last_ = &cameras_.cameraNamed(record, of.fields.front());
     else
-      last_ = &own_.emplace_back(cameras_.ownCamera(record, fields));
+      last_ = &own_.emplace_back(cameras_.ownCamera(record, of));
     lastText_ = text_;
   }
   return {&last_, 1};

@@ -14,6 +14,7 @@
 
 #include "camera/camera_set.hpp"
 #include "camera/read_camera.hpp"
+#include "formats/camera_columns.hpp"
 #include "records/number_plan.hpp"
 #include "viewproj/scene.hpp"
 
@@ -32,10 +33,10 @@ struct RecordCamera {
   RecordCamera(const CameraFile& file, std::string named);
 };
 
-/// A field of a record that says its camera, or this part of it ("position.x").
-struct CameraField {
-  std::size_t field = 0;
-  std::string path = {};
+/// The fields of a record that say its camera.
+struct RecordCameraFields {
+  std::vector<std::size_t> fields = {};
+  std::shared_ptr<const CameraColumns> columns = nullptr;  ///< own: what they are
 };
 
 /// The field that an option names: by its name, or by its number where fields have none. Throws RecordError.
@@ -75,11 +76,11 @@ class RecordCameras {
   const RecordCamera* only() const { return setup_.choice == CameraChoice::one ? all_.front() : nullptr; }
 
   /// The fields of a record that say its camera; plan: of its other numbers. Throws RecordError.
-  std::vector<CameraField> locate(const RecordView& record, const NumberPlan& plan) const;
+  RecordCameraFields locate(const RecordView& record, const NumberPlan& plan) const;
 
  private:
-  /// Once, where records have turns beside focal lengths in pixels, and nothing says their axes.
-  void noteAxes(const std::vector<CameraField>& fields) const;
+  /// How the first record's fields are read, and what may be of its camera and is not.
+  void noteReading(const CameraColumns& columns, const std::vector<std::string>& unread) const;
   friend class CamerasOfBatch;
   struct Kept {
     std::once_flag once = {};
@@ -91,7 +92,7 @@ class RecordCameras {
   /// Made when it is first used, and kept. Throws InputError.
   const RecordCamera& cameraOf(std::size_t which) const;
   const RecordCamera& cameraNamed(const RecordView& record, std::size_t field) const;
-  RecordCamera ownCamera(const RecordView& record, std::span<const CameraField> fields) const;
+  RecordCamera ownCamera(const RecordView& record, const RecordCameraFields& of) const;
 
   Setup setup_;
   std::optional<CameraFile> first_;
@@ -101,7 +102,8 @@ class RecordCameras {
   std::vector<bool> isPicked_;
   std::vector<const RecordCamera*> all_;  ///< one, each
   Document base_;                         ///< own
-  std::unique_ptr<std::once_flag> axesNoted_ = std::make_unique<std::once_flag>();
+  bool isUnplaced_ = false;               ///< own: no file or option says where it stands
+  std::unique_ptr<std::once_flag> readingNoted_ = std::make_unique<std::once_flag>();
 };
 
 /// The cameras of the records that one worker collects.
@@ -110,7 +112,7 @@ class CamerasOfBatch {
   explicit CamerasOfBatch(const RecordCameras& cameras) : cameras_(cameras) {}
 
   /// Those of a record, which stay until clear(). Throws RecordError.
-  std::span<const RecordCamera* const> find(const RecordView& record, std::span<const CameraField> fields);
+  std::span<const RecordCamera* const> find(const RecordView& record, const RecordCameraFields& of);
   void clear();
 
  private:

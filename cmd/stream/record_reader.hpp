@@ -20,7 +20,7 @@ namespace viewproj::cmd {
 struct Plan {
   NumberPlan numbers;
   ResultRows rows = {};
-  std::vector<CameraField> camera = {};  ///< what says the record's camera
+  RecordCameraFields camera = {};  ///< what says the record's camera
 };
 
 /// Takes the records of a stream in their order.
