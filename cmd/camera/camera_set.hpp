@@ -36,6 +36,7 @@ struct CameraEntry {
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
   /// It is another camera's straightened picture, or its place in another world, or the lens of others without a view.
   bool isOfAnother = false;
+  bool isLensAlone = false;  ///< the latter
 };
 
 /// The cameras of a file, as a format finds them.
@@ -133,6 +134,7 @@ class CameraSet {
   /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string picksOf(const std::vector<std::size_t>& cameras) const;
+  std::string allPicks() const;
   [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;

@@ -31,6 +31,14 @@ Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<
                          eye ? SplitVec3{*eye, {}} : split(rigid.origin), axes);
 }
 
+/// The option for a convention of these camera axes.
+std::string readAsOf(const std::optional<CameraAxes>& axes) {
+  const auto presets = conventionPresets();
+  const auto of = std::find_if(presets.begin(), presets.end(),
+                               [&](const ConventionPreset& preset) { return preset.cameraAxes == axes; });
+  return of == presets.end() ? "" : "; --read-as " + std::string(of->name) + " fits";
+}
+
 /// Reads a pose that has an orientation.
 struct PoseReader {
   const FieldValues& values;
@@ -149,7 +157,7 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
                                std::string(nameOf(kCameraAxesNames, *order.cameraAxes)) + ", and cameraAxes is " +
                                std::string(*stated));
     if (const std::string fault = faultOfOrder(*euler->order, values, reader.hand); !fault.empty())
-      values.fail("euler", fault);
+      values.fail("euler", fault + (worldOf(values) == World::ecef ? "" : readAsOf(order.cameraAxes)));
     return reader.inThisWorld("euler", axes, poseFromTurns(position->point, euler->turns, axes));
   }
   return isTurned ? reader.turned(*position) : reader.looking(*position);

@@ -57,7 +57,7 @@ void CameraOptions::add(CLI::App& app) {
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, ...' (help parts)");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
-            "FILE[#N], 'x,y,z rpy:0,0,9', base first");
+            "'x,y,z rpy:0,0,9' (also quat, rvec) or FILE[#N]; in a chain the base's frame first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName,
             "Inverse: 'x,y,z rvec:0,0,1', solvePnP's");
   const auto readViewport = [this](const std::string& option, const std::string& text) {
@@ -68,7 +68,8 @@ void CameraOptions::add(CLI::App& app) {
       viewport_ = readSize(option, text);
   };
   addOption(app, "--viewport", "WxH|P%", readViewport, "Size; a file's picture is resized to it, or by 50%");
-  addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
+  addOption(app, "--geoid", "N|FILE", setGeoid,
+            "Sea level above the ellipsoid: metres, or a .pgm; without it altitudes are read as heights");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {

@@ -42,10 +42,14 @@ OrderedJson forPeople(OrderedJson report) {
   OrderedJson notes = OrderedJson::array();
   const OrderedJson wrong = report["wrongPairs"], list = report["explanations"];
   if (report["noPixel"] != 0) notes.push_back("noPixel: points that have a pixel on one side alone.");
-  if (!wrong.empty())
-    notes.push_back(capitalized(mistakes::shownLines(wrong.get<std::vector<std::size_t>>())) + " alone " +
-                    (wrong.size() == 1 ? "disagrees" : "disagree") +
+  if (!wrong.empty()) {
+    const bool isOne = wrong.size() == 1, othersAgree = !(report["medianMiss"] > report["within"]);
+    notes.push_back(capitalized(mistakes::shownLines(wrong.get<std::vector<std::size_t>>())) +
+                    (othersAgree ? std::string(isOne ? " alone disagrees" : " alone disagree")
+                                 : (isOne ? " misses" : " miss") + std::string(" by far more than the others (") +
+                                       formatDigits(report["medianMiss"], 2) + " px, median)") +
                     ": a point or a pixel is wrong there, not the camera.");
+  }
   if (!report["verdict"].is_null()) notes.push_back(unexplained(report));
   if (std::any_of(list.begin(), list.end(),
                   [](const OrderedJson& one) { return !one["mend"].is_null() && !one["pairs"].is_null(); }))

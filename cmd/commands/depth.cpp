@@ -153,7 +153,8 @@ OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances
     report["notes"].push_back("The depth range goes beyond 1: d16 and d24 store whole numbers, where they hold it.");
   if (m.ndcZ == NdcZ::minusOneToOne)
     report["notes"].push_back(
-        "With NDC z of -1..1 f32 is no finer than d24: z is a float32 near -1 first. 0..1 (glClipControl) keeps it.");
+        "With NDC z of -1..1 (OpenGL) f32 is no finer than d24: z is a float32 near -1 first. --set "
+        "convention.ndcZ=0..1, as Direct3D, Vulkan and glClipControl have it, keeps f32Reversed fine.");
   return report;
 }
 
@@ -265,7 +266,7 @@ Action declareDepth(CLI::App& app) {
           at);
   CLI::Option* const gap =
       addValue(app, "--gap", "LENGTH", o->gap, numberThat([](double length) { return length > 0; }, "a length above 0"),
-               "Tell which near resolves this gap at the distances of --at");
+               "Tell which near resolves this gap at --at's distances (in place of --near)");
   require(gap, at);
   o->report.add(app, 8);
   o->camera.addFile(app);

@@ -74,7 +74,7 @@ struct RecordLabel {
 };
 
 /// The fields of --label, the first as the name; none for the word, where no field is called so; else the id or name,
-/// else the number counted from 1.
+/// else the number, counted from 1, of a point.
 RecordLabel labelOf(const RecordView& record, std::size_t number, const std::vector<std::string>& labels) {
   RecordLabel label;
   for (const std::string& name : labels) {
@@ -94,7 +94,7 @@ RecordLabel labelOf(const RecordView& record, std::size_t number, const std::vec
   for (const char* name : {"id", "name"})
     if (const auto field = fieldNamed(*record.schema, name))
       if (const std::string text = textIn(record, *field); !text.empty()) return {text, ""};
-  return {std::to_string(number), ""};
+  return {number > 0 ? std::to_string(number) : "", ""};
 }
 
 /// offset: of the field in its record.
@@ -154,8 +154,11 @@ class PictureRecords {
       : o_(o), camera_(camera), content_(content), pairs_(camera, kWithin) {}
 
   int read(const StreamSetup& setup) {
-    const PointReading reading{
-        .columns = setup.columns, .worldIsEcef = camera_.worldIsEcef, .segments = true, .shapes = true};
+    const PointReading reading{.columns = setup.columns,
+                               .worldIsEcef = camera_.worldIsEcef,
+                               .segments = true,
+                               .shapes = true,
+                               .polygons = true};
     const auto locate = [&](const RecordView& record) {
       if (polygonField(record)) return NumberPlan{.kind = kindPolygon};
       if (record.schema->isArray && hasPixelBesidePoint(record, reading.columns)) return findPair(record, reading);
@@ -174,7 +177,9 @@ class PictureRecords {
 
   void add(const NumberPlan& plan, const Numbers& n, const RecordView& record, std::size_t line) {
     constexpr std::size_t kMostSlotsOfPoint = 4;
-    const auto [name, note] = labelOf(record, ++count_, o_.labels);
+    const bool hasNumber = plan.kind != kindPolygon && isPoint(plan);
+    ++count_;
+    const auto [name, note] = labelOf(record, hasNumber ? count_ : 0, o_.labels);
     if (plan.kind == kindPolygon) {
       content_.areas.push_back({name, ringsOf(record, camera_.worldIsEcef)});
     } else if (isSegment(plan)) {
@@ -257,8 +262,9 @@ Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<DrawOptions>();
   describe(
       app,
-      "An SVG of what the camera sees. Points have their id, name or number. Hidden points are hollow, hidden edges "
-      "dashed. A point with a pixel, as check reads it, has an arrow from there to the computed one.",
+      "An SVG of what the camera sees, the longer side scaled to 960. Points have their id, name or number. Hidden "
+      "points are hollow, hidden edges dashed. A point with a pixel, as check reads it, has an arrow from there to the "
+      "computed one.",
       "Examples:\n"
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
@@ -275,7 +281,7 @@ Action declareDraw(CLI::App& app) {
       "Fields beside points, or none (default: id or name)");
   addValue(app, "--title", "TEXT", o->title, readText, "The title (default: the camera's name)");
   addValue(app, "--picture", "PHOTO", o->photo, readFileName, "A JPEG or PNG to put beneath, of the viewport's size");
-  o->stream.addInput(app, "points, pairs, shapes and outlines");
+  o->stream.addInput(app, "points, pairs, shapes and polygons");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");
   return [o] { return runDraw(*o); };

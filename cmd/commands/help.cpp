@@ -57,7 +57,8 @@ std::string fieldRows(const IsListed& isListed) {
     names = options = "";
   };
   for (const Field& field : kFields) {
-    if (!isListed(field) || field.kind == Kind::zero) continue;  // what may only be 0 says nothing
+    // What may only be 0 says nothing, and text nothing of the picture.
+    if (!isListed(field) || field.kind == Kind::zero || field.kind == Kind::text) continue;
     if (!previous || previous->help != field.help) flush();
     previous = &field;
     names += (names.empty() ? "" : ", ") + std::string(field.path.substr(field.path.find('.') + 1));

@@ -238,6 +238,7 @@ class Projector final : public RecordProcessor {
       addOther(Null{});
     } else if (isSegment(plan)) {
       requireEdges("a segment", camera);
+      requireNearFor("a segment", camera.camera);
       const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e46");
       addOther(segment);
@@ -330,8 +331,10 @@ class Projector final : public RecordProcessor {
     if (!camera.frustum)
       throw RecordError(
           0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
-    if (!hasDepth(camera.camera.projection()))
-      throw RecordError(0, what + " needs a camera with near; --near gives it");
+  }
+
+  static void requireNearFor(const std::string& what, const Camera& camera) {
+    if (!hasDepth(camera.projection())) throw RecordError(0, what + " needs a camera with near; --near gives it");
   }
 
   Vec3 placed(const Vec3& local) const {
@@ -386,6 +389,7 @@ class Projector final : public RecordProcessor {
         },
         shape);
     const Cull verdict = std::visit([&](const auto& one) { return cull(*cameras_[i]->frustum, one); }, shape);
+    if (!box && verdict.verdict != CullVerdict::outside) requireNearFor("a shape that is not all in front", camera);
     // Of a sphere what is of one point is its center's.
     ScreenPoint screen = std::holds_alternative<Sphere>(shape) ? screen_[i] : kNoPoint;
     screen.status = PointStatus::inFront;

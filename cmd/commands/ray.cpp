@@ -280,8 +280,14 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
       if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene) &&
           (!needsUp(*row) || knowsUp))
         how.fields->push_back(row);
-  if (how.scene && std::find(how.fields->begin(), how.fields->end(), &results::hit) == how.fields->end())
-    throw UsageError("--scene, --plane and --height are for hit, and --fields leaves it out");
+  const auto hasAnyOf = [&](const ResultRows& rows) {
+    return std::find_first_of(how.fields->begin(), how.fields->end(), rows.begin(), rows.end()) != how.fields->end();
+  };
+  if (how.allHits && !hasAnyOf({&results::hit})) throw UsageError("--all-hits is for hit, and --fields leaves it out");
+  if (how.scene &&
+      !hasAnyOf({&results::hit, &results::point, &results::place, &results::pointDistance, &results::range}))
+    throw UsageError(
+        "--scene, --plane and --height are for hit, point, place, viewDistance and range; --fields has none of them");
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
@@ -334,8 +340,8 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   describe(
       app,
-      "Pixels to rays: each record with the ray's origin and unit direction, the point at its depth or at the nearest "
-      "hit, and that hit; null outside a lens.",
+      "The ray of each pixel, and the point: at the pixel's depth if it has one, else the nearest hit; `hit` says what "
+      "was hit. Outside the lens all are null.",
       "Examples:\n"
       "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
       "    --pixel 320,240 --plane z=0\n"

@@ -49,10 +49,13 @@ class Parts {
   const std::vector<double>& numbers(std::string_view part, std::initializer_list<std::size_t> counts) const {
     const std::vector<double>& numbers = (*this)[part].numbers;
     if (counts.size() > 0 && std::find(counts.begin(), counts.end(), numbers.size()) == counts.end()) {
+      const auto& nodes = (*this)[part].nodes;
+      const bool isShown = nodes.size() == 1 && !nodes.front().json().is_structured();  // which tells how many
       std::vector<std::string> texts;
       for (const std::size_t count : counts) texts.push_back(std::to_string(count));
       fail(part, "expected " + alternatives({texts.begin(), texts.end()}) +
-                     (texts.back() == "1" ? " number" : " numbers") + ", got " + std::to_string(numbers.size()));
+                     (texts.back() == "1" ? " number" : " numbers") +
+                     (isShown ? "" : ", got " + std::to_string(numbers.size())));
     }
     const bool isPose = isAmong(part.substr(0, part.find('.')), kPoseParts);
     for (const double number : numbers)

@@ -7,6 +7,7 @@
 
 #include "camera/patch.hpp"
 #include "formats/claims.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/format.hpp"
 #include "formats/parts.hpp"
 #include "formats/writer.hpp"
@@ -87,6 +88,22 @@ PosesOfFile posesOf(const Node& root) {
       form->isDirected};
   file.poses.noun = "pose";
   return file;
+}
+
+std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field) {
+  const std::vector<ProposedLine> lines = proposeParts(file).lines;
+  if (lines.size() != 1 || lines.front().hasLens || lines.front().parts.find(".quaternion=") == std::string::npos)
+    return std::nullopt;
+  std::vector<Part> parts = parseParts(lines.front().parts, "poses");
+  std::string direction = field;
+  for (Part& part : parts) {
+    const std::string first = part.name.substr(0, part.name.find('.'));
+    if (first == "pose")
+      part.name.replace(0, first.size(), field);
+    else if (first != "position")
+      direction = first;
+  }
+  return PosesOfFile{{camerasOfParts(Node(file), std::move(parts), {}, "")}, direction, true};
 }
 
 namespace {

@@ -52,6 +52,10 @@ constexpr Refusal kRefusals[] = {
     {"Camera.Parameters=[", false,
      "is of PTAM: fractions of the picture and an FOV lens; give --fx, --fy, --cx, --cy in pixels and --distortion "
      "'{\"model\": \"fov\", \"omega\": w}'"},
+    {"FOV 0.|Pinhole 0.|RadTan 0.", true,
+     "is of DSO, which is not read: fx, cx are fractions of the width, and fy, cy of the height, in the second line; "
+     "give --fx, --fy, --cx, --cy in pixels, 0.5 taken from cx and cy, and of FOV the fifth number as --distortion "
+     "'{\"model\": \"fov\", \"omega\": w}'"},
     {"model_type: SCARAMUZZA", false,
      "has a lens of the model SCARAMUZZA, which is not supported; undistort the pictures first"},
     {"'lensmodel'", false, "is a model of mrcal; mrcal-to-kalibr writes one that is read"},

@@ -78,6 +78,11 @@ void unfoldMatrices(Json& value) {
 
 /// Whether texts with numbers in them are all that it holds, "(1, 2, 3)", "X=1 Y=2", or all beside numbers.
 bool holdsTexts(const Json& root) {
+  if (root.is_array())  // items of a list, as "Rotation: in Quaternion [1, 0, 0, 0]"
+    return std::any_of(root.begin(), root.end(), [](const Json& item) {
+      return item.is_object() && item.size() == 1 && item.front().is_string() && holdsTexts(item) &&
+             item.front().get_ref<const std::string&>().ends_with(']');
+    });
   if (!root.is_object()) return false;
   bool hasTexts = false, hasMarks = false, hasNumbers = false;
   for (const Json& value : root) {

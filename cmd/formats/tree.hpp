@@ -29,7 +29,8 @@ std::string readWithoutGlb(const std::string& name, std::size_t most);
 
 /// Words before numbers are their name, and blocks without a name are #1, #2 …; a block ends at a blank line or at
 /// other words. "[heading]" opens an object. The second block of a name goes into the list "name#". An object without
-/// members if there are no numbers. Where names come again, words alone above lines with names open objects too.
+/// members if there are no numbers. Where names come again, words alone above lines with names open objects too;
+/// where all do, the text is a list of objects.
 /// hasHeadings: set to true where several have no colon, so that the text is no YAML.
 Json textTree(std::string_view text, bool* hasHeadings = nullptr);
 

@@ -52,7 +52,8 @@ std::optional<NumberPlan> findEach(const RecordView& record, std::span<const Coo
   return plan;
 }
 
-/// CSV columns of a row. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias.
+/// CSV columns of a row. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias; of a shape min_x, minX
+/// or xmin.
 std::optional<NumberPlan> findColumns(const Coordinate& row, const RecordView& record) {
   std::vector<std::vector<std::string>> spellings = {columnsOf(row)};
   for (const std::string_view alias : row.aliases) {
@@ -60,6 +61,15 @@ std::optional<NumberPlan> findColumns(const Coordinate& row, const RecordView& r
     for (std::size_t i = 0; i < row.most; ++i)
       spellings.back().push_back(std::string(alias) + std::string(kColumnSuffixes[i]));
   }
+  if (row.form == CoordinateForm::object)
+    for (const bool isAxisFirst : {false, true}) {
+      std::vector<std::string>& names = spellings.emplace_back();
+      for (const CoordinatePart& part : row.parts)
+        for (std::size_t i = 0; i < part.size; ++i) {
+          const std::string name(part.name), axis(part.size > 1 ? 1 : 0, "xyz"[i]);
+          names.push_back(isAxisFirst ? axis + name : name + axis);
+        }
+    }
   std::optional<NumberPlan> found;
   for (const std::vector<std::string>& names : spellings) {
     std::vector<CoordinatePart> parts;
@@ -144,6 +154,10 @@ NumberPlan firstFields(std::size_t count, std::size_t together) {
   const Schema& schema = *record.schema;
   if (const std::size_t comma = record.text.find(','); schema.form == Form::text && comma != std::string_view::npos)
     throw RecordError(comma, "has commas between its numbers; --from csv reads them");
+  for (std::size_t i = 0; schema.form == Form::text && i < schema.size; ++i)
+    if (!parseNumber(record.values[i]))
+      throw RecordError(record.offset(i),
+                        "expected numbers, got " + inQuotes(record.values[i]) + "; --columns picks some, as in 2,3,4");
   throw RecordError(
       0, "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers") + "; expected " + expected);
 }
@@ -230,17 +244,14 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
   const char* const choose = csv ? "; --columns names all of them" : "";
   for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
     if (const std::string part = missingParts(*row, schema); !part.empty()) throw RecordError(0, part + choose);
-  const bool mayBeBoxes = reading.shapes && std::any_of(schema.names.begin(), schema.names.end(), [](const auto& name) {
-                            return name.find("min") != std::string::npos;
-                          });
   if (csv)
     throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(schema) +
-                             "; --columns names them, as in x=E,y=N,z=U" +
-                             (mayBeBoxes ? "; boxes are read from JSON alone" : ""));
+                             "; --columns names them, as in x=E,y=N,z=U");
   if (const auto field = schema.find(kRecordsField))
     throw RecordError(record.offset(*field), "has points behind other fields; expected them as the first one");
   throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
-                           namesOf(rowsRead(reading)) + fieldsNote(schema));
+                           namesOf(rowsRead(reading), reading.polygons ? ", " : " or ") +
+                           (reading.polygons ? " or polygon" : "") + fieldsNote(schema));
 }
 
 /// A letter beside x, y, z that may belong to the point, and is not read, for it may as well be a width or a colour.

@@ -15,8 +15,9 @@ struct PointReading {
   ColumnChoice columns = {};
   bool worldIsEcef = false;
   bool segments = false;
-  bool shapes = false;  ///< also spheres, boxes and triangles
-  bool radius = false;  ///< a point with a radius is a sphere
+  bool shapes = false;    ///< also spheres, boxes and triangles
+  bool radius = false;    ///< a point with a radius is a sphere
+  bool polygons = false;  ///< the caller reads them: messages name them
 };
 
 /// Finds the point or shape of a record: [x,y,z] or [x,y,z,w]; a row of coordinates::kPoints, segment or kShapes in an

@@ -43,10 +43,10 @@ ScreenBox onScreen(const ScreenMap& map, const Range& x, const Range& y) noexcep
 }
 
 /// The box of the part of a convex body in front of near: its corners there, and its edges' crossings with near.
+/// Without near the whole body must be in front of the eye.
 template <std::size_t kCorners, class IsEdge>
 std::optional<ScreenBox> boxOfCorners(const CameraParts& c, const std::array<Vec3, kCorners>& corners,
                                       const IsEdge& isEdge) noexcept {
-  if (!hasDepth(c.projection)) return std::nullopt;
   const bool orthographic = c.projection.orthographic;
   const Wide near = c.projection.near;
   Range x, y;
@@ -59,6 +59,7 @@ std::optional<ScreenBox> boxOfCorners(const CameraParts& c, const std::array<Vec
   for (std::size_t i = 0; i < kCorners; ++i) {
     points[i] = distancesOf(c, corners[i]);
     inFront[i] = beyondNear(c, points[i].forward);
+    if (inFront[i].sign() <= 0 && !hasDepth(c.projection)) return std::nullopt;
     if (inFront[i].sign() == 0) points[i].forward = near;
     if (inFront[i].sign() >= 0) add(points[i]);
   }
@@ -122,12 +123,13 @@ Range rangeOf(const Disc& d, bool orthographic) noexcept {
 
 std::optional<ScreenBox> screenBox(const Camera& camera, const Sphere& sphere) noexcept {
   const CameraParts& c = parts(camera);
-  if (!isValid(sphere) || !hasDepth(c.projection)) return std::nullopt;
+  if (!isValid(sphere)) return std::nullopt;
   const AxisDistances p = distancesOf(c, sphere.center);
   const Axes& rows = c.pose.rows;
   const WideVec3 forward = toWide(rows.forward);
   const Wide stretch = lengthOf(forward), near = Wide(c.projection.near) / stretch;
-  if ((beyondNear(c, p.forward) / stretch + Wide(sphere.radius)).sign() < 0) return std::nullopt;
+  const Wide inFront = beyondNear(c, p.forward) / stretch, radius = sphere.radius;
+  if ((inFront + radius).sign() < 0 || !(hasDepth(c.projection) || isLess(radius, inFront))) return std::nullopt;
   const auto rangeAlong = [&](const DDVec3& axis, const Wide& along) {
     const WideVec3 row = toWide(axis);
     const Wide skew = dot(row, forward) / stretch, w = p.forward / stretch;

@@ -199,8 +199,8 @@ struct ScreenBox {
 inline constexpr double kScreenBoxBound = 0x1.1p-53;
 
 /// The smallest box that holds the part of the shape in front of near or on it, even if outside of the picture or
-/// beyond far. Nothing if no part is there, if the shape is invalid, or if there is no near plane. Infinite beyond the
-/// largest double. Points within 2^-90 of near count as on it. A lens is ignored.
+/// beyond far. Nothing if no part is there, if the shape is invalid, or if without a near plane not all of it is in
+/// front of the eye. Infinite beyond the largest double. Points within 2^-90 of near count as on it. A lens is ignored.
 ///
 /// In perspective a sphere is seen as an ellipse between the lines through the eye that touch it. If near cuts the
 /// sphere, the circle of the cut counts too. Source of the touching lines: Mara & McGuire, "2D polyhedral bounds of a

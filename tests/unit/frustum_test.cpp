@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -34,8 +35,12 @@ TEST_CASE("Without a near plane there are the other planes, and what needs near 
     CHECK(cull(f, Triangle{{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}}).verdict == CullVerdict::outside);
     CHECK(cull(f, Vec3{0, 0, -11}).side == (std::isinf(far) ? 0 : sideFar));
     CHECK_FALSE(clipSegment(f, {0, 0, -5}, {1, 0, -5}).visible);
-    CHECK_FALSE(screenBox(f.camera(), Sphere{{0, 0, -5}, 1}));
-    CHECK_FALSE(screenBox(f.camera(), Box{{-1, -1, -5}, {1, 1, -4}}));
+    // What is all in front of the eye has its rectangle; what reaches its plane would be without end.
+    CHECK(std::fabs(screenBox(f.camera(), Sphere{{0, 0, -5}, 1}).value().right - (50 + 50 / std::sqrt(24))) < 1e-13);
+    CHECK(screenBox(f.camera(), Box{{-1, -1, -5}, {1, 1, -4}}).value().left == 37.5);
+    CHECK_FALSE(screenBox(f.camera(), Sphere{{0, 0, -1}, 1}));
+    CHECK_FALSE(screenBox(f.camera(), Sphere{{0, 0, 5}, 1}));
+    CHECK_FALSE(screenBox(f.camera(), Box{{-1, -1, -5}, {1, 1, 0}}));
   }
 }
 

@@ -274,8 +274,9 @@ Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   const Rows turned = to.axes * transposed(from.axes);
   const Vec3 way = fit.world * sum(to.eye, -1, from.eye);
   double degrees = angleOf(turned) * 180 / std::numbers::pi;
-  if (isBetween(family.by[0], By::h, By::r) && dot(skewOf(turned), axisOf(fit, to, family.by[0])) < 0)
-    degrees = -degrees;
+  // The camera turns against its points; heading is clockwise, against up.
+  const bool isAlong = dot(skewOf(turned), axisOf(fit, to, family.by[0])) >= 0;
+  if (isBetween(family.by[0], By::h, By::r) && isAlong != (family.by[0] == By::h)) degrees = -degrees;
   const PlainLens lens = to.lens.value_or(PlainLens{});  // no step has made one: its numbers are 0
   const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
                                              {'g', to.focal.y / from.focal.y},

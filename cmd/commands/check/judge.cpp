@@ -11,8 +11,7 @@
 namespace viewproj::cmd::mistakes {
 namespace {
 
-constexpr double kFloor = 1e-3;   // pixels: what is left is never told apart below this
-constexpr double kThreshold = 7;  // of evidence that is told
+constexpr double kFloor = 1e-3;  // pixels: what is left is never told apart below this
 const double kAsGood = std::log(100);
 
 // ---- Two mistakes at once
@@ -251,10 +250,8 @@ class Search {
       if (!std::isfinite(e.largest) || e.wrong.size() > wrong || e.wrong.empty() != (wrong == 0)) continue;
       e.rms = std::sqrt(squares / static_cast<double>(2 * right.size()));
       if (isLeftOut(e)) continue;
-      double choices = 0;  // logarithm of the ways to choose the wrong ones
-      for (std::size_t i = 1; i <= e.wrong.size(); ++i)
-        choices += std::log(static_cast<double>(right.size() + i) / static_cast<double>(i));
-      e.evidence = evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - choices;
+      e.evidence =
+          evidenceOf(e.hypothesis, e.rms, right) - std::log(std::max(tries, 1.0)) - logChoices(n, e.wrong.size());
       if (e.evidence > kThreshold || bringsWithin(e, within_)) found.push_back(std::move(e));
     }
     return found;
@@ -478,6 +475,12 @@ class Search {
 };
 
 }  // namespace
+
+double logChoices(std::size_t all, std::size_t some) {
+  double sum = 0;
+  for (std::size_t i = 1; i <= some; ++i) sum += std::log(static_cast<double>(all - some + i) / static_cast<double>(i));
+  return sum;
+}
 
 double wrongFrom(std::vector<double> distances, std::size_t wrong, double within) {
   std::sort(distances.begin(), distances.end());

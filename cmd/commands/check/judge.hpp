@@ -26,6 +26,11 @@ struct Explanation {
 std::vector<Explanation> explain(const CameraFile& file, std::span<const Pair> pairs, double within,
                                  bool keepsSame = false);
 
+constexpr double kThreshold = 7;  ///< of evidence that is told
+
+/// Logarithm of the ways to choose so many of all.
+double logChoices(std::size_t all, std::size_t some);
+
 /// The miss from which on a pair is wrong, where so many may be: the tolerance, and four times the rms of the others.
 double wrongFrom(std::vector<double> distances, std::size_t wrong, double within);
 

@@ -114,7 +114,8 @@ struct CheckedCamera {
     return misses.count == 0 ? HUGE_VAL : std::sqrt(misses.squares / static_cast<double>(misses.count));
   }
 
-  /// Whether the others agree but for noise; the lines of those, at most a quarter, that miss by several times more.
+  /// The lines of those pairs, at most a quarter, that miss by several times more than the others, which chance does
+  /// not explain; whether the others agree but for noise.
   struct Wrong {
     bool othersAgree = false;
     std::vector<std::size_t> lines = {};
@@ -126,15 +127,22 @@ struct CheckedCamera {
     for (const Pair& pair : pairs) distances.push_back(std::isnan(length(pair.miss)) ? HUGE_VAL : length(pair.miss));
     const double limit = wrongFrom(distances, quarter, within);
     Wrong found;
-    double squares = 0;  // of the others
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (distances[i] > limit)
-        found.lines.push_back(pairs[i].line);
-      else
+    double squares = 0, least = HUGE_VAL;  // of the others, of the wrong ones
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!(distances[i] > limit)) {
         squares += distances[i] * distances[i];
-    const auto others = static_cast<double>(pairs.size() - found.lines.size());
-    found.othersAgree = found.lines.size() <= quarter && std::sqrt(squares / others) <= within;
-    return found.othersAgree ? found : Wrong{};
+        continue;
+      }
+      found.lines.push_back(pairs[i].line);
+      least = std::min(least, distances[i]);
+    }
+    const auto lines = static_cast<double>(found.lines.size()), others = static_cast<double>(pairs.size()) - lines;
+    found.othersAgree = lines <= static_cast<double>(quarter) && std::sqrt(squares / others) <= within;
+    // Of normal noise so many miss by as much with the probability (1 + lines least^2 / squares)^-others a choice.
+    const double evidence =
+        others * std::log1p(lines * least * least / squares) - logChoices(pairs.size(), found.lines.size());
+    if (!found.othersAgree && !(lines <= static_cast<double>(quarter) && evidence > kThreshold)) return {};
+    return found;
   }
 
   /// In which mistakes are sought.
@@ -283,7 +291,7 @@ OrderedJson PairReport::report(const Others& others) const {
     const std::vector<Pair> pairs = camera->pairsWithPixel();
     const bool agree =
         std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
-    if (lines.empty() && !agree) (othersAgree ? noisy : open).push_back(camera.get());
+    if ((lines.empty() || !othersAgree) && !agree) (othersAgree ? noisy : open).push_back(camera.get());
   }
   if (open.empty()) open = noisy;
   std::sort(wrong.begin(), wrong.end());
@@ -291,8 +299,8 @@ OrderedJson PairReport::report(const Others& others) const {
   if (!open.empty()) {  // sought for the one in the middle, and tried on all
     const CheckedCamera& middle = *open[open.size() / 2];
     judged = middle.pairsWithPixel().size();
-    wrong.clear();
     list = explanations(middle, others);
+    if (!list.empty()) wrong.clear();
   }
   const bool isFound = agrees || !list.empty() || !wrong.empty();
   OrderedJson report{{"agrees", agrees}, {"records", all_->records}, {"noPixel", noPixel}, {"within", within_}};

@@ -110,6 +110,7 @@ constexpr Saying kSayings[] = {
     {"fisheye-for-brown", "fisheye", "the lens is a fisheye's, not Brown's"},
     {"fisheye-for-brown", "equidistant", "the pixels are of an equidistant fisheye"},
     {"fisheye-for-brown", "brown", "the lens is Brown's, not a fisheye's"},
+    {"principal-point", "moved", "the pixels lie {0}, {1} off: a crop, a title bar, or another principal point"},
     {"scale-and-offset", "bars", "a letterbox: {0} times this picture, then moved by {1p}, {2p}"},
     {"scale-and-offset", "crop", "a crop or region of interest: {0} times this picture, then moved by {1p}, {2p}"},
     {"height", "lower", "the eye is lower by {-}"},
@@ -120,6 +121,7 @@ std::string keyOf(std::string_view mistake, const Json& value) {
   const Json& first = value.is_array() ? value[0] : value;
   if (first.is_string()) return first;
   if (mistake == "height" && value < 0) return "lower";
+  if (mistake == "principal-point") return "moved";
   if (mistake != "scale-and-offset") return "";
   const auto [least, most] = std::minmax({value[1].get<double>(), value[2].get<double>()});
   return least > -1 ? "bars" : most < 1 ? "crop" : "";

@@ -50,11 +50,6 @@ double costOfDepth(const Reading& r) {
   return cost + (!r.camera->pose ? ((c.view == ViewAxes::RUB) != isGl ? 0.6 : 0) : isGl ? 0 : 0.3);
 }
 
-/// Whether a level camera is upside down, where the axis that its picture's rows do not follow is up.
-bool hangs(const Pose& pose) {
-  return (std::fabs(pose.right().y) < std::fabs(pose.right().z) ? pose.up().y : pose.up().z) < 0;
-}
-
 /// Whether the world's origin lies behind the camera, which is upside down where z is up. Where y is down, up is -y.
 bool isUpsideDown(const Pose& pose) {
   return dot(pose.forward(), pose.eye()) > 0 && -pose.up().z > std::fabs(pose.up().y);
@@ -71,14 +66,13 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   if (r.camera && r.camera->lens) cost += costOfDepth(r);
   if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
   if (r.isCentred) cost -= 3;
-  if (r.isLevel) cost -= 1.5;
-  if (r.isLevel && hangs(*r.camera->pose)) cost += 0.25;
+  if (r.rise != 0) cost -= r.rise > 0 ? 1.5 : 1.25;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;
   if (hint.isTransposed && r.layout == MatrixLayout::asWritten) cost += 6;
   // The picture of RDF has y down, where the projection flips nothing.
   if (hint.isTransposed && hint.axes == ViewAxes::RDF && r.kind == viewProjection &&
       r.camera->convention.ndcY != NdcY::down)
-    cost += 0.2;
+    cost += 0.3;
   if (r.kind != view && r.kind != pose) return cost;
   if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.3;
   if (hint.areAxesOfK && r.camera->convention.view == hint.axes && isUpsideDown(*r.camera->pose)) cost += 0.3;
