@@ -22,7 +22,7 @@ struct PoseFactor {
   std::string field;
   bool isOfCamera = false;  ///< of axes that its file states
   bool isOwn = false;       ///< the cameras' own file: each has its own pose
-  bool lacksAxes = false;   ///< but for this one, whose axes are those of the camera that the pose is for
+  bool lacksAxes = false;   ///< of a camera, but its axes are those of the camera that the pose is for
   bool isPicked = false;    ///< of a file with more poses, or of none
   std::vector<std::string> notes = {};
 };
