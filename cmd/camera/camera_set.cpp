@@ -175,6 +175,14 @@ std::optional<std::size_t> CameraSet::find(std::string_view name) const {
   return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
 }
 
+std::string CameraSet::allPicks() const {
+  std::vector<std::size_t> cameras = all();
+  const auto isLens = [&](std::size_t i) { return import_.cameras[i].isLensAlone; };
+  const auto views = std::stable_partition(cameras.begin(), cameras.end(), isLens);
+  const bool hasLens = views == cameras.begin() + 1;
+  return picksOf(cameras) + (hasLens ? "; " + picksOf({cameras.front()}) + " takes points in the camera's axes" : "");
+}
+
 std::vector<std::size_t> CameraSet::all() const {
   std::vector<std::size_t> all(size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -185,14 +193,16 @@ std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std:
   if (!pick) {
     if (size() == 1) return 0;
     throw InputError(name_ + ": holds " + std::to_string(size()) + " " + import_.noun +
-                     "s; pick one after the file's name: " + picksOf(all()) + otherwise);
+                     "s; pick one after the file's name: " + allPicks() + otherwise);
   }
   const std::vector<std::size_t> found = called(*pick);
   if (found.size() == 1) return found.front();
   if (!found.empty())
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
                      inQuotes(*pick) + "; pick one by its number: " + picksOf(found));
-  failPick(*pick);
+  const std::vector<std::size_t> under = chooseAll(pick);
+  throw InputError(name_ + ": holds " + std::to_string(under.size()) + " " + import_.noun + "s under " +
+                   inQuotes(*pick) + "; pick one: " + picksOf(under) + otherwise);
 }
 
 std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& pick) const {
@@ -210,6 +220,7 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
 void CameraSet::failPick(const std::string& pick) const {
   const std::string others = otherWorlds();
   throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + picksOf(all()) +
+                   (areNumbered_ && isWhole(pick) ? ", where ## begins a number, as in ##0" : "") +
                    (others.empty() ? "" : ", and the same in other worlds, " + others));
 }
 
@@ -244,6 +255,7 @@ Document CameraSet::document(std::size_t which) const {
   }
   for (const auto& [path, name] : import_.ownNames) document.labels.emplace(path, document.name + ": " + name);
   normalize(document);
+  if (patches_.resize) resizePicture(document, *patches_.resize);
   applyPatches(document, patches_.patches);
   return document;
 }

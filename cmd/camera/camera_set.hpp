@@ -29,8 +29,9 @@ struct CameraEntry {
   /// Our document of the camera. Throws InputError naming the file's own field. Calls are one at a time.
   std::function<Json()> document = nullptr;
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
-  /// It is a straightened picture of another camera, or the lens of others without a view.
+  /// It is another camera's straightened picture, or its place in another world, or the lens of others without a view.
   bool isOfAnother = false;
+  bool isLensAlone = false;  ///< the latter
 };
 
 /// The cameras of a file, as a format finds them.
@@ -45,9 +46,9 @@ struct Import {
   std::string noun = "camera";  ///< in messages about picks
   /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
   std::vector<std::string> worlds = {};
-  bool mayLackPose = false;                   ///< the file may give none; its cameras then stand at the origin
-  bool hasUnclearAxes = false;                ///< it has turns in our axes, and may mean those of others
-  std::vector<std::string> withoutPose = {};  ///< entries of the file that are left out, by name
+  bool mayLackPose = false;                          ///< the file may give none; its cameras then stand at the origin
+  bool hasUnclearAxes = false;                       ///< it has turns in our axes, and may mean those of others
+  std::vector<std::string> withoutPose = {};         ///< entries of the file that are left out, by name
   std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
@@ -64,8 +65,9 @@ CameraSource splitPick(const std::string& source);
 
 /// What applies to every camera of a set.
 struct CameraPatches {
-  std::string readAs;          ///< the name of a preset; empty: the file's convention
-  std::vector<Patch> patches;  ///< of options and --set, in any order
+  std::string readAs;              ///< the name of a preset; empty: the file's convention
+  std::vector<Patch> patches;      ///< of options and --set, in any order
+  std::optional<double> resize{};  ///< of the file's picture, before the patches
 };
 
 /// Whether a document is a camera, or a set of cameras, in our own form: it has one of our members at the top (but
@@ -124,6 +126,7 @@ class CameraSet {
   /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string picksOf(const std::vector<std::size_t>& cameras) const;
+  std::string allPicks() const;
   [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;

@@ -316,6 +316,35 @@ std::vector<Patch> viewportPatches(double width, double height) {
           {"viewport.height", std::make_shared<const Json>(height), "--viewport"}};
 }
 
+// cppcheck-suppress constParameter  // what it points to changes
+void resizePicture(Document& document, double factor) {
+  const FieldValues values = readValues(document);
+  const auto picture = readPicture(values, readConvention(values), true);
+  const std::string percent = "--viewport " + formatNumber(100 * factor) + "%";
+  const std::string advice = "; --viewport WIDTHxHEIGHT gives one";
+  if (!picture) throw InputError(document.name + ": has no viewport, of which " + percent + " is a part" + advice);
+  const std::uint8_t type = typeOf(values);
+  if (type == kPs2) values.failAt("projection", "has pixels of its own, which " + percent + " does not change");
+  const Viewport& frame = picture->frame;
+  const auto resized = [&](double number) {
+    const double exact = number * factor, whole = std::round(exact);
+    return std::fabs(exact - whole) < 1e-9 * exact ? whole : exact;
+  };
+  const double width = resized(frame.width), height = resized(frame.height);
+  if (width != std::floor(width) || height != std::floor(height))
+    values.failAt("viewport", "a picture of " + formatDigits(width, 6) + "x" + formatDigits(height, 6) +
+                                  " has a part of a pixel, with " + percent + advice);
+  Json& root = *document.root;
+  if (type == kIntrinsics && !values.has("projection.pixels"))
+    root["projection"]["pixels"] = {frame.width, frame.height};
+  Json& viewport = root["viewport"];
+  viewport["width"] = width;
+  viewport["height"] = height;
+  for (const char* place : {"x", "y", "crop.x", "crop.y", "crop.width", "crop.height"})
+    if (const Json* const number = valueAt(root, "viewport." + std::string(place)))
+      put(root, {"viewport." + std::string(place), std::make_shared<const Json>(number->get<double>() * factor), ""});
+}
+
 void requireConsistent(const std::vector<Patch>& patches) {
   for (const Patch& second : patches)
     for (const Patch& first : patches) {

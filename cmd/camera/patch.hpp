@@ -36,6 +36,9 @@ std::optional<Json> poseOfText(const std::string& text);
 std::optional<Json> poseOfOrigin(const Json& origin);
 /// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);
+/// Makes the picture of a normalized document so many times as wide and high, with the lens and a crop. Throws
+/// InputError where it has none, or no whole number of pixels is left.
+void resizePicture(Document& document, double factor);
 
 /// Throws UsageError if two options contradict each other.
 void requireConsistent(const std::vector<Patch>& patches);

@@ -31,6 +31,14 @@ Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<
                          eye ? SplitVec3{*eye, {}} : split(rigid.origin), axes);
 }
 
+/// The option for a convention of these camera axes.
+std::string readAsOf(const std::optional<CameraAxes>& axes) {
+  const auto presets = conventionPresets();
+  const auto of = std::find_if(presets.begin(), presets.end(),
+                               [&](const ConventionPreset& preset) { return preset.cameraAxes == axes; });
+  return of == presets.end() ? "" : "; --read-as " + std::string(of->name) + " fits";
+}
+
 /// Reads a pose that has an orientation.
 struct PoseReader {
   const FieldValues& values;
@@ -146,7 +154,7 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
                                std::string(nameOf(kCameraAxesNames, *order.cameraAxes)) + ", and cameraAxes is " +
                                std::string(*stated));
     if (const std::string fault = faultOfOrder(*euler->order, values, reader.hand); !fault.empty())
-      values.fail("euler", fault);
+      values.fail("euler", fault + (worldOf(values) == World::ecef ? "" : readAsOf(order.cameraAxes)));
     return reader.inThisWorld("euler", axes, poseFromTurns(position->point, euler->turns, axes));
   }
   return isTurned ? reader.turned(*position) : reader.looking(*position);
@@ -159,6 +167,7 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
   const auto* const position = values.find<Position>("position");
   if (!pose || !position) return pose;
   const auto* const target = values.find<Position>("target");
+  if (position->error == 0 && !position->isRounded && (!target || target->error == 0)) return withError(*pose, {});
   const auto* const up = values.find<Vec3>("up");
   const Geodetic place = position->place ? *position->place : ecefToGeodetic(pose->eye());
   const Vec3 upward = up ? rounded(normalized(toDoubleDouble(*up))) : ellipsoidNormal(place);

@@ -147,18 +147,18 @@ MatrixNumbers readMatrix(const Node& value) {
 
 template <class Take>
 void readMembers(const Node& object, const Take& take) {
-  const std::vector<std::string_view> names = namesUnder(object.path());
   for (const auto& item : object.json().items()) {
     const Node value(object.document(), item.value(), joinedPath(object.path(), item.key()));
-    if (std::find(names.begin(), names.end(), item.key()) == names.end()) {
+    const Field* const field = findField(value.path());
+    if (item.key().find('.') != std::string::npos || (!field && namesUnder(value.path()).empty())) {
       if (value.path() == "projection.fov")
         value.fail(
             "does not say which angle: fovY is from bottom to top (OpenGL, Direct3D, Unity, three.js), fovX from left "
             "to right (Unreal)");
-      failUnknown(value, suggestField(value.path(), item.key(), names));
+      failUnknown(value, suggestField(value.path(), item.key(), namesUnder(object.path())));
     }
     if (item.value().is_null()) continue;
-    if (const Field* const field = findField(value.path()))
+    if (field)
       take(*field, readValue(value, *field));
     else if (item.value().is_object())
       readMembers(value, take);

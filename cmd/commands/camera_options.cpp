@@ -60,7 +60,14 @@ void CameraOptions::add(CLI::App& app) {
             "'x,y,z rpy:0,0,9' (also quat, rvec) or FILE[#N]; in a chain the base's frame first");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName,
             "Inverse: 'x,y,z rvec:0,0,1', solvePnP's");
-  addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture; a file's is resized to it");
+  const auto readViewport = [this](const std::string& option, const std::string& text) {
+    const double percent = parseNumber(text.substr(0, text.find('%'))).value_or(0);
+    if (text.ends_with('%') && percent > 0)
+      resize_ = percent / 100;
+    else
+      viewport_ = readSize(option, text);
+  };
+  addOption(app, "--viewport", "WxH|P%", readViewport, "Size; a file's picture is resized to it, or by 50%");
   addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
@@ -129,7 +136,8 @@ std::optional<std::string> CameraOptions::file(bool mayLack) const {
 }
 
 CameraPatches CameraOptions::patches(bool isTyped) const {
-  CameraPatches all{readAs_.value_or(""), patches_};
+  CameraPatches all{readAs_.value_or(""), patches_, resize_};
+  if (isTyped && resize_) throw UsageError("--viewport: a part of a picture needs a file's; expected WIDTHxHEIGHT");
   // Options are read as they are written; but a place makes the world right-handed.
   const bool hasPlace = std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) {
     return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&

@@ -68,7 +68,7 @@ class CameraOptions {
   std::optional<Convention> readAs() const;
   /// Whether an option says something of a camera, which matrices in a text have no place for.
   bool changesCamera() const {
-    return !patches_.empty() || viewport_ || allowStretch_ || ignoreDistortion_ || hasGeoid();
+    return !patches_.empty() || viewport_ || resize_ || allowStretch_ || ignoreDistortion_ || hasGeoid();
   }
 
   /// The convention to write in: the file's world, and the axes that options name.
@@ -90,12 +90,13 @@ class CameraOptions {
   std::optional<std::string> camera_, operand_, readAs_, parts_;
   std::vector<std::string> worldFromCamera_, cameraFromWorld_;
   std::optional<Size> viewport_;
+  std::optional<double> resize_;  ///< of the picture of a file
   std::optional<ConventionPreset> convention_;
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true,
-       readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false;
+  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true, readsDepth_ = false,
+       allowStretch_ = false, ignoreDistortion_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -120,15 +120,12 @@ int runCheck(const CheckOptions& o) {
     const Vec4 point = toPoint(plan, numbers);
     const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
     if (!o.cameraBy) return all.add(point, pixel, line);
-    const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
-    const auto which = cameras.find(name);
-    if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
-    if (!isPicked[*which]) throw RecordError(0, "names the camera '" + name + "', which is not picked");
-    all.add(point, pixel, line, *which, [&] {
-      CameraFile each = o.camera.readOne(cameras, *which);
+    const std::size_t which = cameraNamed(cameras, isPicked, record, cameraFieldOf(*o.cameraBy, record));
+    all.add(point, pixel, line, which, [&] {
+      CameraFile each = o.camera.readOne(cameras, which);
       if (each.worldIsEcef != file.worldIsEcef)
         throw InputError(each.name + ": expected all cameras on the Earth, or none");
-      return std::pair(cameras.pickOf(*which), std::move(each));
+      return std::pair(cameras.pickOf(which), std::move(each));
     });
   };
   const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});

@@ -303,7 +303,8 @@ Size readSize(const std::string& option, const std::string& text) {
   const std::size_t x = std::min(text.find_first_of("xX"), text.size() - 1);
   const auto width = parseNumber(text.substr(0, x)), height = parseNumber(text.substr(x + 1));
   if (!width || !height || !(*width > 0 && *height > 0))
-    throw UsageError(option + " " + text + ": expected WIDTHxHEIGHT, as in 1920x1080");
+    throw UsageError(option + " " + text +
+                     ": expected WIDTHxHEIGHT, as in 1920x1080, or a part of a file's, as in 50%");
   return {*width, *height};
 }
 

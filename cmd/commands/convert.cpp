@@ -3,12 +3,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "camera/plain_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/world_options.hpp"
-#include "formats/colmap.hpp"
 #include "formats/observations.hpp"
 #include "formats/pose_chain.hpp"
 #include "formats/writer.hpp"
@@ -36,7 +36,9 @@ struct ConvertOptions {
 struct Chosen {
   CameraFile file;
   std::string name;
-  bool isPlaced;  ///< false: its file does not tell where it stands
+  bool isPlaced;              ///< false: its file does not tell where it stands
+  std::string path;           ///< of its file; empty: it is of another camera, and the others' poses do not place it
+  std::string fileName = {};  ///< without folder and ending, where it is the only one of its file; else empty
 };
 
 /// The camera with its pose as angles of --angles, where there is a pose.
@@ -67,27 +69,34 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   const auto files = o.camera.readFiles();
   std::vector<Chosen> all;
   std::unordered_map<std::string, std::shared_ptr<Json>> documents;  // by name
+  std::unordered_map<std::string, int> counts;                       // of names
+  std::unordered_set<std::string> placed;                            // paths
   for (const auto& [cameras, which] : files) {
     std::vector<Chosen> ofFile;
     for (const std::size_t i : camerasOnce(*cameras, which)) {
       CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
       const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
-      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced});
+      const std::string path = cameras->isOfAnother(i) ? "" : cameras->name();
+      if (isPlaced) placed.insert(path);
+      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path});
     }
-    const bool arePlaced =
-        std::any_of(ofFile.begin(), ofFile.end(), [](const Chosen& camera) { return camera.isPlaced; });
     for (Chosen& camera : ofFile) {
-      camera.isPlaced = arePlaced;  // one that has no pose is where the others are counted from
-      // Of several files with a camera each, the file's name tells which it is.
-      const bool isOnly = ofFile.size() == 1 && (camera.name.empty() || which.size() > 1);
-      if (isOnly && files.size() > 1) camera.name = pathOf(cameras->name()).stem().string();
+      if (ofFile.size() == 1 && files.size() > 1) camera.fileName = pathOf(cameras->name()).stem().string();
+      if (!camera.fileName.empty() && which.size() > 1) camera.name = "";
       // Files that belong together, as those of a stereo calibration, have the same cameras.
       const std::shared_ptr<Json>& document = camera.file.document.root;
       const auto known = documents.find(camera.name);
-      if (known != documents.end() && *known->second == *document) continue;
+      if (camera.fileName.empty() && known != documents.end() && *known->second == *document) continue;
       if (!camera.name.empty()) documents.emplace(camera.name, document);
+      ++counts[camera.name];
       all.push_back(std::move(camera));
     }
+  }
+  for (Chosen& camera : all) {
+    // One that has no pose is where the others of its file are counted from.
+    camera.isPlaced = camera.isPlaced || (!camera.path.empty() && placed.contains(camera.path));
+    // Of several files with a camera each, the file's name tells which it is.
+    if (!camera.fileName.empty() && (camera.name.empty() || counts[camera.name] > 1)) camera.name = camera.fileName;
   }
   return all;
 }
@@ -110,10 +119,13 @@ std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
   return "{\"cameras\": " + jsonList(entries, ",\n  ") + "}\n";
 }
 
+void requireFolder(std::string_view form, const std::string& output) {
+  if (output == "-") throw UsageError(std::string(form) + " is several files; give a folder: -o FOLDER/");
+}
+
 std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& output) {
   const auto row = std::find_if(writers().begin(), writers().end(), [&](const Writer& w) { return w.name == *o.form; });
-  if (row != writers().end() && row->endings == "/" && output == "-")
-    throw UsageError(std::string(row->name) + " is several files; give a folder: -o FOLDER/");
+  if (row != writers().end() && row->endings == "/") requireFolder(row->name, output);
   const bool needsPicture = row == writers().end() || (row->places & kPosesAlone) == 0;
   std::vector<Chosen> chosen = chosenOf(o, needsPicture);
   if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
@@ -126,8 +138,9 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
-  if (writer.name == "colmap" && o.camera.file() && hasColmapPoints(splitPick(*o.camera.file()).file))
-    note("colmap is written with its cameras alone: points3D and the points of images are left out");
+  const bool mayBeLeftOut = writer.leftOut && o.camera.file();
+  if (const std::string left = mayBeLeftOut ? writer.leftOut(splitPick(*o.camera.file()).file) : ""; !left.empty())
+    note(left);
   return writer.write(cameras, endingOf(output));
 }
 
@@ -186,6 +199,7 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
   const std::vector<WrittenFile> files = filesOf(o, name);
   if (!files.front().note.empty()) note(files.front().note);
   if (!files.front().name.empty()) {
+    requireFolder(*o.form, name);
     std::vector<std::pair<std::string, std::string>> texts;
     for (const WrittenFile& file : files) texts.emplace_back(file.name, file.text);
     writeFolder(name, texts);

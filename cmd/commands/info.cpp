@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "camera/names.hpp"
 #include "camera/plain_camera.hpp"
@@ -353,6 +354,19 @@ int runCamera(const InfoOptions& o) {
   return 0;
 }
 
+/// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others the report
+/// tells.
+void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices) {
+  std::set<double> known;
+  for (const PastedMatrix& matrix : matrices)
+    for (const PrintedNumber& number : matrix.numbers) known.insert(number.value);
+  std::vector<std::string> others = pathsOfOthers(file, known);
+  if (file.isPlainText) std::erase_if(others, [](const std::string& path) { return !path.starts_with('#'); });
+  constexpr std::size_t kMost = 8;
+  if (!others.empty())
+    note(file.name + ": numbers that are no matrix: " + someOf(others, kMost) + "; viewproj help parts reads them");
+}
+
 /// A file that no format claims: what --parts could make of it, if that is a lens with something beside it, else what
 /// its matrices can be.
 int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
@@ -365,19 +379,29 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const bool isFaulty = !unknown.file.fault.empty();
   if (isForCamera && proposal.lines.empty() && isFaulty) throw InputError(unknown.file.fault);
   if (hasCamera && unknown.isOurs) complain(unknown.what());
+  const std::vector<PastedMatrix> matrices = findMatrices(unknown.text).matrices;
+  // A K needs the size of the picture to be a camera, and can be explained without.
+  const bool isK = hasCamera && !isForCamera && matrices.size() == 1 && o.report.form() == ReportForm::table &&
+                   proposal.lines.front().parts.find(", size=") == std::string::npos;
+  if (isK) {
+    const int status = runMatrices(o, unknown.text, "");
+    writeOutput("\nwith --viewport WIDTHxHEIGHT it is a camera:\n" + textOf(proposal));
+    return status;
+  }
   if (hasCamera || (isForCamera && !unknown.isOurs)) return writeProposal(o, proposal);
   if (unknown.isOurs) throw InputError(unknown.what());
   const bool areNamed = std::any_of(proposal.numbers.begin(), proposal.numbers.end(),
                                     [](const std::string& path) { return !path.starts_with('#'); });
   const bool isNothing = proposal.lines.empty() && (isFaulty || !areNamed) && unknown.file.isPlainText;
-  if (!isNothing && (unknown.text.empty() || findMatrices(unknown.text).matrices.empty()))
-    return writeProposal(o, proposal);
-  return runMatrices(
+  if (!isNothing && matrices.empty()) return writeProposal(o, proposal);
+  const int status = runMatrices(
       o, unknown.text,
       isFaulty ? unknown.file.fault
                : unknown.file.name +
                      ": is not a camera file of a known kind, and no numbers in it look like a camera or a matrix; "
                      "viewproj help formats lists the kinds");
+  noteOthers(unknown.file, matrices);
+  return status;
 }
 
 /// A camera file, else what a file that no format claims may be, else matrices, else what is wrong with the file.

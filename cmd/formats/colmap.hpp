@@ -41,9 +41,6 @@ inline constexpr ColmapModel kColmapModels[] = {{"SIMPLE_PINHOLE", 1, 0, ""},
 /// it. Nothing if it is none.
 std::optional<std::string> colmapModel(const std::string& source);
 
-/// Whether it has points in space, which no camera is.
-bool hasColmapPoints(const std::string& source);
-
 /// {"cameras": {"1": {...}}, "images": [...]} of what colmapModel() found. Throws InputError.
 Json readColmap(const std::string& model);
 Import openColmap(const Node& root);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "formats/colmap.hpp"
+#include "formats/writer.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "text/system.hpp"
@@ -297,16 +298,17 @@ std::optional<std::string> colmapModel(const std::string& source) {
   return isOne ? std::optional(source) : std::nullopt;
 }
 
-bool hasColmapPoints(const std::string& source) {
+std::string leftOutOfColmap(const std::string& source) {
   const auto model = colmapModel(source);
   const std::string points = model ? filesOf(*model).points : "";
   std::ifstream file(pathOf(points), std::ios::binary);
   std::string line;
+  bool hasPoints = false;
   if (points.ends_with(".bin"))
-    return file.read(line.assign(8, 0).data(), 8) && line.find_first_not_of('\0') != line.npos;
-  while (std::getline(file, line))
-    if (!isBlank(line) && line[0] != '#') return true;
-  return false;
+    hasPoints = file.read(line.assign(8, 0).data(), 8) && line.find_first_not_of('\0') != line.npos;
+  else
+    while (!hasPoints && std::getline(file, line)) hasPoints = !isBlank(line) && line[0] != '#';
+  return hasPoints ? "colmap is written with its cameras alone: points3D and the points of images are left out" : "";
 }
 
 Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }

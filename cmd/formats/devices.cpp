@@ -68,7 +68,8 @@ std::optional<double> cellOf(const Node& row, std::string_view name) {
 
 std::string fileOf(const Node& row) {
   const auto file = columnOf(row, "FileName");
-  return file ? file->text() : textAt(row, "SourceFile");
+  const std::string name = file ? file->text() : textAt(row, "SourceFile");
+  return name.starts_with("./") ? name.substr(2) : name;  // as exiftool writes those of the folder .
 }
 
 /// A number with the sign of what is named beside it, which the group EXIF has without one: south, west, and below,

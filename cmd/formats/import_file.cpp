@@ -1,6 +1,7 @@
 #include "formats/import_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "camera/read_convention.hpp"
@@ -10,7 +11,10 @@
 #include "formats/parts.hpp"
 #include "formats/rows.hpp"
 #include "formats/unread.hpp"
+#include "text/names.hpp"
 #include "text/pasted_matrices.hpp"
+#include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -100,9 +104,26 @@ Import importParts(const Node& root, const std::string& line) {
   return {camerasOfParts(root, std::move(parts), {}, "")};
 }
 
+/// "; it names a.yaml, b.yaml beside it …", of the files that its texts name.
+std::string filesNamedBy(const Document& file) {
+  std::vector<std::string> names;
+  const std::filesystem::path folder = pathOf(file.name).parent_path();
+  std::error_code ignored;
+  for (const Json& value : *file.root) {
+    const std::string name = value.is_string() ? value.get<std::string>() : "";
+    if (file.root->is_object() && name.find('.') != std::string::npos && name.size() < 256 &&
+        std::filesystem::is_regular_file(folder / pathOf(name), ignored))
+      names.push_back(name);
+  }
+  constexpr std::size_t kMost = 4;
+  if (names.empty()) return "";
+  return "; it names " + visible(someOf(names, kMost)) + ", which may be -c, with --world-from-camera " + file.name +
+         "#0 where the pose is here";
+}
+
 [[noreturn]] void failUnknown(const Document& file) {
-  throw UnknownFile(file.name +
-                        ": is not a camera file of a known kind; viewproj info FILE tells what is in it, viewproj help "
+  throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) +
+                        "; viewproj info FILE tells what is in it, viewproj help "
                         "formats lists the kinds",
                     file);
 }

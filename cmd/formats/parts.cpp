@@ -23,7 +23,8 @@ constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
 constexpr std::string_view kNames =
     "K P fovY fovX size distortion fisheye omni doubleSphere unified fov cameraFromWorld worldFromCamera position "
     "target direction up euler name";
-constexpr std::string_view kNamesOfRows = "lens model isFisheye xi near far id", kTexts = "name model isFisheye id";
+constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far id",
+                           kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
                            kTurns = "rotation rotationVector quaternion quaternionWFirst",
                            kPoseForms = "rotation rotationVector quaternion quaternionWFirst translation";
@@ -48,10 +49,13 @@ class Parts {
   const std::vector<double>& numbers(std::string_view part, std::initializer_list<std::size_t> counts) const {
     const std::vector<double>& numbers = (*this)[part].numbers;
     if (counts.size() > 0 && std::find(counts.begin(), counts.end(), numbers.size()) == counts.end()) {
+      const auto& nodes = (*this)[part].nodes;
+      const bool isShown = nodes.size() == 1 && !nodes.front().json().is_structured();  // which tells how many
       std::vector<std::string> texts;
       for (const std::size_t count : counts) texts.push_back(std::to_string(count));
       fail(part, "expected " + alternatives({texts.begin(), texts.end()}) +
-                     (texts.back() == "1" ? " number" : " numbers") + ", got " + std::to_string(numbers.size()));
+                     (texts.back() == "1" ? " number" : " numbers") +
+                     (isShown ? "" : ", got " + std::to_string(numbers.size())));
     }
     const bool isPose = isAmong(part.substr(0, part.find('.')), kPoseParts);
     for (const double number : numbers)
@@ -268,6 +272,15 @@ bool readPose(const Parts& parts, Json& camera) {
   return !turn.empty() || parts.has("euler");
 }
 
+/// The pose in the world of rectified pictures: R turns to their axes, and P = K [1 | t] has the same eye.
+void placeRectified(const Parts& parts, Json& camera) {
+  std::vector<double> all = parts.numbers("rectified", {12, 21});
+  if (all.size() == 12) all.insert(all.begin(), {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  const std::span<const double> turn(all.data(), 9), p(all.data() + 9, 12);
+  const Json rectified = cameraOfMatrix(parts["rectified"].nodes.back(), p, std::nullopt)["worldFromCamera"];
+  setPose(camera, "worldFromCamera", {{"rotation", rowsOf(turn, 3)}, {"translation", rectified["translation"]}});
+}
+
 Json cameraOf(const Parts& parts, const PartsForm& form) {
   const auto size = parts.size();
   Json camera{{"convention", "opencv"}, {"position", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}};
@@ -286,6 +299,7 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
     if (size) camera["viewport"] = {{"width", size->front()}, {"height", size->back()}};
     if (readPose(parts, camera) && form.cameraAxes != "RDF") camera["cameraAxes"] = form.cameraAxes;
   }
+  if (parts.has("rectified")) placeRectified(parts, camera);
   for (const char* field : {"near", "far"})
     if (parts.has(field)) camera["projection"][field] = parts.number(field);
   if (form.pixelCenter != 0) camera["viewport"]["pixelCenter"] = form.pixelCenter;

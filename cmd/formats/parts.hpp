@@ -14,6 +14,7 @@
 //
 //   lens         coefficients of the lens that the text `model`, the flag isFisheye or the number xi names
 //   cameraFromWorld  several matrices, whose product it is; beside a P of the form [K | t] what comes before t
+//   rectified    [R by rows and] P = K [1 | t] of a rectified picture, in whose world the camera then stands
 //   near, far 1; id a text
 #pragma once
 

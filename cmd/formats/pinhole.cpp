@@ -20,7 +20,8 @@ std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> m) {
     k.fail(std::string("the last row is not 0 0 1") + (isByColumns ? "; transpose the matrix" : ""));
   if (at(0, 1) != 0 || at(1, 0) != 0)
     k.fail("has a skew of " + formatNumber(at(0, 1) != 0 ? at(0, 1) : at(1, 0)) +
-           "; pixels of a skewed grid are not supported");
+           "; pixels of a skewed grid are not supported; --parts 'K=" + k.path() +
+           (columns == 3 ? "[0,4,2,5]" : "[0,5,2,6]") + ", …' leaves it out");
   if (columns == 4 && (at(0, 3) != 0 || at(1, 3) != 0 || at(2, 3) != 0))
     k.fail("has a fourth column that is not 0 0 0");
   if (m.size() == 16 && (at(3, 0) != 0 || at(3, 1) != 0 || at(3, 2) != 0 || at(3, 3) != 1))

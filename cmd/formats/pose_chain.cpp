@@ -21,6 +21,7 @@ struct PoseFactor {
   std::vector<CameraEntry> cameras;  ///< that have the pose
   std::string field;
   bool isOfCamera = false;  ///< of axes that its file states
+  bool isOwn = false;       ///< the cameras' own file: each has its own pose
 };
 
 /// A pose that is typed, or printed in a file of no form.
@@ -30,38 +31,44 @@ PoseFactor factorOf(Json pose, const std::string& field) {
   return {nullptr, {camera}, field};
 }
 
-PoseFactor factorOf(const std::string& source, const Opening& opening) {
+/// own: the name of the cameras' file.
+PoseFactor factorOf(const std::string& source, const Opening& opening, const std::string& own) {
   const std::string& field = opening.direction;
   if (const auto pose = poseOfText(source)) return factorOf(*pose, field);
   const auto [name, pick] = splitPick(source);
+  const bool isOwn = shownName(name) == own;
   const auto file = std::make_shared<Document>();
   PosesOfFile read;
   bool isOfCamera = false;
   try {
-    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world");
+    *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world",
+                     {.mayBeFaulty = true});
     file->marks = std::make_shared<std::unordered_set<const void*>>();
-    read = posesOf(Node(*file));
+    if (file->fault.empty()) read = posesOf(Node(*file));
     isOfCamera = read.poses.cameras.empty();
-    if (isOfCamera) read = {importFile(file, {.option = opening.option, .pick = pick}, ""), field, true};
+    if (isOfCamera)
+      read = {importFile(file, {.option = opening.option, .pick = isOwn && !pick ? opening.pick : pick}, ""), field,
+              true};
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
     const std::vector<Json> printed = printedPoses(unknown.text);
-    if (printed.empty() && isInlineJson(name)) throw;
-    if (printed.empty())
+    const auto named = printed.empty() && file->root ? namedPose(*file, field) : std::nullopt;
+    if (printed.empty() && !named && isInlineJson(name)) throw;
+    if (printed.empty() && !named)
       throw InputError(
           shownName(name) +
           ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
           "or {\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
           (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
-    *file = {shownName(name), nullptr};
+    if (!named) *file = {shownName(name), nullptr};
     isOfCamera = false;
-    read = {{}, field, false};
+    read = named.value_or(PosesOfFile{{}, field, false});
     read.poses.noun = "pose";
     for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds poses of the other direction, " + read.field);
-  PoseFactor factor{file, {}, read.field, isOfCamera};
+  PoseFactor factor{file, {}, read.field, isOfCamera, isOfCamera && isOwn};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
     factor.cameras.push_back(read.poses.cameras[i]);
   return factor;
@@ -101,12 +108,14 @@ Json poseIn(const Json& camera, const Document& file, const Json& other, const s
   return {{c[0].x, c[1].x, c[2].x, t.x}, {c[0].y, c[1].y, c[2].y, t.y}, {c[0].z, c[1].z, c[2].z, t.z}};
 }
 
-/// A camera's document at the product of poses, for the one of each factor or that of a number.
-Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t number, const std::string& direction) {
+/// A camera's document at the product of poses: the one of each factor, that of a number, or its own. which: of the
+/// cameras of its file.
+Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t which, std::size_t number,
+            const std::string& direction) {
   for (const char* field : kPoseFields) camera.erase(field);
   Json poses = Json::array();
-  for (const auto& [file, cameras, field, isOfCamera] : factors) {
-    const Json pose = cameras[cameras.size() > 1 ? number : 0].document();
+  for (const auto& [file, cameras, field, isOfCamera, isOwn] : factors) {
+    const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
     if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
     poses.push_back(isOfCamera ? poseIn(camera, *file, pose, field) : pose[field]);
   }
@@ -121,9 +130,11 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   const PoseFactor* several = nullptr;
   factors->reserve(opening.poses.size());
   for (const std::string& source : opening.poses) {
-    factors->push_back(factorOf(source, opening));
-    const PoseFactor& factor = factors->back();
+    factors->push_back(factorOf(source, opening, name));
+    PoseFactor& factor = factors->back();
     if (factor.cameras.size() == 1) continue;
+    factor.isOwn = factor.isOwn && factor.cameras.size() == result.cameras.size();
+    if (factor.isOwn) continue;
     if (several || (result.cameras.size() > 1 && !opening.pick))
       throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
                        (several ? " poses, and another file does too" : " poses for several cameras") +
@@ -131,32 +142,38 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
     several = &factor;
   }
   std::string folder;
+  std::size_t first = 0;
   if (several && opening.pick) {
-    result.cameras = {result.cameras[CameraSet(name, result, {}).choose(opening.pick)]};
+    first = CameraSet(name, result, {}).choose(opening.pick);
+    result.cameras = {result.cameras[first]};
     folder = *opening.pick + "/";
   }
   const bool isWorldFirst = opening.direction == "worldFromCamera";
   const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
-  const std::string replaced = "its own pose, which " + option + " replaces (" + option + " " +
-                               (isWorldFirst ? "POSE " : "FILE ") + option + (isWorldFirst ? " FILE" : " POSE") +
-                               " keeps both)";
+  const std::string both =
+      option + " " + (isWorldFirst ? "POSE " : name + " ") + option + " " + (isWorldFirst ? name : "POSE");
+  const std::string replaced = "its own pose, which " + option + " replaces (" + both + " keeps both)";
   result.hasUnclearAxes = false;
-  const bool isKept = std::any_of(factors->begin(), factors->end(), [&](const PoseFactor& factor) {
-    return factor.isOfCamera && factor.file->name == name;
-  });
+  const bool isKept =
+      std::any_of(factors->begin(), factors->end(), [](const PoseFactor& factor) { return factor.isOwn; });
+  if (!isKept && !opening.pick && result.cameras.size() > 1 &&
+      std::any_of(result.cameras.begin(), result.cameras.end(),
+                  [](const CameraEntry& camera) { return hasPose(camera.document()); }))
+    throw InputError(name + ": " + option + " would put its " + std::to_string(result.cameras.size()) +
+                     " cameras on one pose; " + both + " moves them together, " + name + "#NAME picks one");
   const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
     std::string names = unread ? unread(which) : "";
     if (!isKept && hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
     return names;
   };
-  const auto moved = [&](const CameraEntry& camera, std::size_t number) {
-    return [document = camera.document, factors, number, direction = opening.direction] {
-      return atPose(document(), *factors, number, direction);
+  const auto moved = [&](const CameraEntry& camera, std::size_t which, std::size_t number) {
+    return [document = camera.document, factors, which, number, direction = opening.direction] {
+      return atPose(document(), *factors, which, number, direction);
     };
   };
   if (!several) {
     result.unread = unreadOf;
-    for (CameraEntry& camera : result.cameras) camera.document = moved(camera, 0);
+    for (std::size_t i = 0; i < result.cameras.size(); ++i) result.cameras[i].document = moved(result.cameras[i], i, 0);
     return result;
   }
   Import all;
@@ -170,7 +187,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   for (std::size_t i = 0; i < several->cameras.size(); ++i) {
     const CameraEntry& pose = several->cameras[i];
     all.add(folder + (folder.empty() || !pose.name.empty() ? pose.name : std::to_string(i)), pose.id,
-            moved(result.cameras.front(), i));
+            moved(result.cameras.front(), first, i));
   }
   return all;
 }

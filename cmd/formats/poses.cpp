@@ -7,6 +7,7 @@
 
 #include "camera/patch.hpp"
 #include "formats/claims.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/format.hpp"
 #include "formats/parts.hpp"
 #include "formats/writer.hpp"
@@ -89,6 +90,22 @@ PosesOfFile posesOf(const Node& root) {
   return file;
 }
 
+std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field) {
+  const std::vector<ProposedLine> lines = proposeParts(file).lines;
+  if (lines.size() != 1 || lines.front().hasLens || lines.front().parts.find(".quaternion=") == std::string::npos)
+    return std::nullopt;
+  std::vector<Part> parts = parseParts(lines.front().parts, "poses");
+  std::string direction = field;
+  for (Part& part : parts) {
+    const std::string first = part.name.substr(0, part.name.find('.'));
+    if (first == "pose")
+      part.name.replace(0, first.size(), field);
+    else if (first != "position")
+      direction = first;
+  }
+  return PosesOfFile{{camerasOfParts(Node(file), std::move(parts), {}, "")}, direction, true};
+}
+
 namespace {
 
 /// The rows of a printed pose; nothing for a matrix that is none.
@@ -159,6 +176,17 @@ std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::s
     for (std::size_t i = 0; i < 3; ++i) text += " " + formatNumber(place[i]);
     for (const double number : quaternionOf(columns)) text += " " + formatNumber(number);
     text += "\n";
+  }
+  return {{"", text}};
+}
+
+std::vector<WrittenFile> writeKittiPoses(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string text;
+  for (const WrittenCamera& camera : cameras) {
+    std::string line;
+    for (const double number : worldFromCamera(camera, CameraAxes::RDF))
+      line += (line.empty() ? "" : " ") + formatNumber(number);
+    text += line + "\n";
   }
   return {{"", text}};
 }

@@ -23,6 +23,9 @@ PosesOfFile posesOf(const Node& root);
 /// The rows of the poses that a text has, as a program prints them; of the two layouts the one whose last row is 0 0 0
 /// 1. None where one of its matrices is no pose.
 std::vector<Json> printedPoses(std::string_view text);
+/// The poses of a file of no form, where it names one quaternion and one place: in the direction of its names, or in
+/// this one.
+std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field);
 /// The origin of a URDF's joint: of the one that has this name, or of the only one.
 std::optional<Json> jointPose(const Json& root, const std::optional<std::string>& joint);
 

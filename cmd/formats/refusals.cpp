@@ -8,7 +8,7 @@ namespace viewproj::cmd {
 namespace {
 
 struct Refusal {
-  std::string_view marks;  ///< one of them, separated by "|"
+  std::string_view marks;  ///< one of them, separated by "|"; "*.chan" is of the file's name
   bool begins;             ///< the file begins with the mark; else it is among its first bytes
   const char* why;
 };
@@ -41,6 +41,9 @@ constexpr Refusal kRefusals[] = {
     {"opparm ", false,
      "is a script of Houdini, which is not read; give t to --position, r in the order xyz as --euler ZYX:RZ,RY,RX, "
      "focal and aperture to --focal-length and --sensor-width, and res to --viewport"},
+    {"*.chan", true,
+     "is a track of Nuke, which is not read: of each line give numbers 2 to 4 to --position, 5 to 7, RX RY RZ, as "
+     "--euler YXZ:RY,RX,RZ where the order of turns is ZXY, and the eighth to --fov-y"},
     {"[gd_scene", true,
      "is a scene of Godot, which is not read; give fov to --fov-y, and the node's transform as worldFromCamera of a "
      "camera file"},
@@ -48,6 +51,10 @@ constexpr Refusal kRefusals[] = {
      "is a lens of OCamCalib, which is not supported; undistort the pictures first"},
     {"Camera.Parameters=[", false,
      "is of PTAM: fractions of the picture and an FOV lens; give --fx, --fy, --cx, --cy in pixels and --distortion "
+     "'{\"model\": \"fov\", \"omega\": w}'"},
+    {"FOV 0.|Pinhole 0.|RadTan 0.", true,
+     "is of DSO, which is not read: fx, cx are fractions of the width, and fy, cy of the height, in the second line; "
+     "give --fx, --fy, --cx, --cy in pixels, 0.5 taken from cx and cy, and of FOV the fifth number as --distortion "
      "'{\"model\": \"fov\", \"omega\": w}'"},
     {"model_type: SCARAMUZZA", false,
      "has a lens of the model SCARAMUZZA, which is not supported; undistort the pictures first"},
@@ -121,14 +128,16 @@ constexpr Refusal kRefusals[] = {
 
 }  // namespace
 
-const char* refusalOf(std::string_view text) {
+const char* refusalOf(std::string_view name, std::string_view text) {
   constexpr std::size_t kMost = 1 << 16;
   const std::string_view start = withoutByteOrderMark(text.substr(0, kMost));
   const bool isText = start.find('\0') == std::string_view::npos;
   for (const Refusal& refusal : kRefusals)
     for (std::string_view rest = refusal.marks; !rest.empty();) {
       const std::string_view mark = rest.substr(0, rest.find('|'));
-      if (refusal.begins ? start.starts_with(mark) : isText && start.find(mark) != std::string_view::npos)
+      if (mark[0] == '*'   ? name.ends_with(mark.substr(1))
+          : refusal.begins ? start.starts_with(mark)
+                           : isText && start.find(mark) != std::string_view::npos)
         return refusal.why;
       rest.remove_prefix(std::min(mark.size() + 1, rest.size()));
     }

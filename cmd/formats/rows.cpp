@@ -27,7 +27,7 @@ namespace {
 #define SIZES                                                                                                       \
   "size?=width|image_width|image_Width|w|W|img_width|cols|viewport.width+height|image_height|image_Height|h|H|img_" \
   "height|rows|viewport.height||"                                                                                   \
-  "image_size|img_size|imageSize|resolution|cameraRes|size"
+  "image_size|img_size|imageSize|resolution|cameraRes|camera_resolution|size"
 #define MODELS "model?=distortion_model|camera_model|lens_model|lensmodel, isFisheye?=fisheye_model|is_fisheye|fisheye"
 #define POSES                                                                                                         \
   "cameraFromWorld?=extrinsic|extrinsics|extrinsic_matrix|T_cam_world|T_cw|cameraFromWorld|w2c|world_to_cam|"         \
@@ -43,6 +43,8 @@ namespace {
   "perViewErrors standardDeviation* *_gt raw_camera_matrix raw_dist* E F Q"
 
 #define ROS_SIZE "size?=image_width|width+image_height|height"
+#define ROS_RAW "K=camera_matrix|K|k, " ROS_SIZE ", lens?=distortion_coefficients|D|d, model?=distortion_model"
+#define OST_RAW "K=*.camera_matrix, size=/image.width+/image.height, lens=*.distortion"
 // The calibration of one camera, and the poses of N views of it.
 #define OPENCV "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES ", " MODELS
 #define VIEWS(R, T) \
@@ -68,6 +70,13 @@ namespace {
   "K=M" N "|K" N "|cameraMatrix" N "|camera_matrix_" N "|" SIDE ".K, distortion?=D" N "|distCoeffs" N \
   "|dist_coeffs_" N "|" SIDE ".D, " STEREO_SIZE
 #define STEREO_SIZE "size?=image_width|width+image_height|height||image_size|imageSize|size"
+// As scripts call the sides of a pair: S is L, SIDE is left.
+#define SIDE_K(S, LETTER, SIDE)                                                                          \
+  "mtx" S "|mtx_" LETTER "|mtx_" SIDE "|" SIDE "_mtx|K_" SIDE "|" SIDE "_K|camera_matrix_" SIDE "|" SIDE \
+  "_camera_matrix"
+#define SIDES(S, LETTER, SIDE)                                                                                      \
+  SIDE ": K=" SIDE_K(S, LETTER, SIDE) ", distortion?=dist" S "|dist_" LETTER "|dist_" SIDE "|" SIDE "_dist|D_" SIDE \
+                                      "|" SIDE "_D|dist_coeffs_" SIDE "|" SIDE "_dist_coeffs, " STEREO_SIZE
 #define VELODYNE "cameraFromWorld=R0_rect|R_rect?+Tr_velo_to_cam|Tr_velo_cam|Tr"
 #define OPEN3D(P, POSE) \
   "K=" P "intrinsic.intrinsic_matrix^T, size=" P "intrinsic.width+" P "intrinsic.height, cameraFromWorld=" P POSE "^T"
@@ -76,18 +85,18 @@ namespace {
 
 constexpr Row kRows[] = {
     {"ros", "a camera_info of ROS", "camera_matrix|K|k projection_matrix|P:12|p:12",
-     "raw: K=camera_matrix|K|k, " ROS_SIZE ", lens?=distortion_coefficients|D|d, model?=distortion_model\n"
-     "~rectified: P=projection_matrix|P|p, " ROS_SIZE,
+     "raw: " ROS_RAW "\n~rectified: P=projection_matrix|P|p, " ROS_SIZE "\n~stereo: " ROS_RAW
+     ", rectified=rectification_matrix|R|r?+projection_matrix|P|p",
      "header camera_name R r rectification_matrix"},
     {"ros", "", "image.width *.projection:12 *.distortion",
-     "raw: K=*.camera_matrix, size=/image.width+/image.height, lens=*.distortion\n"
-     "~rectified: P=*.projection, size=/image.width+/image.height",
+     "raw: " OST_RAW "\n~rectified: P=*.projection, size=/image.width+/image.height\n~stereo: " OST_RAW
+     ", rectified=*.rectification?+*.projection",
      "rectification"},
     {"opencv", "a calibration of OpenCV (YAML, XML, JSON, .npz)",
      K_SHAPES
      " !projection_matrix !P:12 !p:12 !rvecs.0:3 !extrinsic_parameters !rVector !T_BS !/camera_poses "
      "!rotation:4 !/0.rotation:3 !/cameraPoseARFrame !cameras.0 !poses:list !#3 !camera_data_ !image.width !class_name "
-     "!world_mat_0 !RadialDistortion",
+     "!world_mat_0 !RadialDistortion !extrinsic.transform",
      "K=" K_NAMES ", " SIZES ", lens?=" D_NAMES "|distortion_coefficients.#|distortion.#|dist.#, xi?=xi|Xi, " MODELS
      ", " POSES ", near?=near, far?=far, name?=name",
      NOTHING_READ, ". r3live_vio camera * cameras.*"},
@@ -110,6 +119,10 @@ constexpr Row kRows[] = {
      "R2 "
      "P1 P2 cameraMatrix* distCoeffs*",
      "", 0, "RDF", true},
+    {"stereo", "", SIDE_K("L", "l", "left") " " SIDE_K("R", "r", "right") " R:9|Rot:9 T:3|Trns:3",
+     SIDES("L", "l", "left") "\n" SIDES("R", "r", "right") ", cameraFromWorld.rotation=R|Rot, "
+                                                           "cameraFromWorld.translation=T|Trns",
+     NOTHING_READ " R1 R2 P1 P2 map* roi* *rvecs* *tvecs*"},
     {"kitti", "a calibration file of KITTI",
      "P0:12|P1:12|P2:12|P3:12|P_rect_00:12|P_rect_01:12|P_rect_02:12|P_rect_03:12|K_00:9|K_01:9|K_02:9|K_03:9 !R1 "
      "!names",
@@ -136,9 +149,10 @@ constexpr Row kRows[] = {
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *"},
     {"realsense", "intrinsics of a RealSense", "fx|Fx fy|Fy ppx|PPX ppy|PPY",
      "K=fx|Fx+fy|Fy+ppx|PPX+ppy|PPY, size?=width|Width+height|Height, lens?=coeffs|Coeffs, model?=model|Distortion",
-     "fps format serial Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector", ". * *.intrinsics"},
+     "fps format serial Device_info Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector",
+     ". * *.intrinsics"},
     {"slam", "settings of ORB-SLAM, VINS, OKVIS or SVO", "Camera.fx !Camera.type=KannalaBrandt8", ORB_BROWN("Camera"),
-     ORB_NOTHING "LEFT* RIGHT* Stereo.ThDepth Tbc"},
+     ORB_NOTHING "?LEFT* ?RIGHT* Stereo.ThDepth Tbc"},
     {"slam", "", "Camera.fx Camera.type=KannalaBrandt8",
      ORB_FISHEYE("Camera") "\nright: " ORB_FISHEYE("Camera2") ", worldFromCamera=Tlr", ORB_NOTHING "Camera2.* Tbc"},
     {"slam", "", "Camera1.fx !Camera.type=KannalaBrandt8",
@@ -223,12 +237,15 @@ constexpr Row kRows[] = {
      "K=camera_intrinsic, worldFromCamera.quaternionWFirst=rotation, worldFromCamera.translation=translation, "
      "name?=token",
      "", "*"},
-    {"argoverse", "a calibration of Argoverse 1", "value.focal_length_x_px_",
+    // Its pictures are undistorted already: the coefficients are of the lens before that.
+    {"argoverse", "a calibration of Argoverse 1 or Waymo", "value.focal_length_x_px_",
      "K=value.focal_length_x_px_+value.focal_length_y_px_+value.focal_center_x_px_+value.focal_center_y_px_, "
-     "distortion=value.distortion_coefficients_[0,1]+0+0+value.distortion_coefficients_[2], "
      "worldFromCamera.quaternionWFirst=value.vehicle_SE3_camera_.rotation.coefficients, "
      "worldFromCamera.translation=value.vehicle_SE3_camera_.translation, name?=key",
-     "vehicle_SE3_up_lidar_ vehicle_SE3_down_lidar_ skew_", "camera_data_.*"},
+     "vehicle_SE3_up_lidar_ vehicle_SE3_down_lidar_ skew_ ?distortion_coefficients_", "camera_data_.*"},
+    {"argoverse", "", "intrinsic:L9 extrinsic.transform:16 width height",
+     "K=intrinsic[0:4], distortion=intrinsic[4:], size=width+height, worldFromCamera=extrinsic.transform, name?=name",
+     "rolling_shutter_direction", ". * *.*", 0, "FLU"},
     {"bouguet", "a Calib_Results.m of Bouguet", "fc:2 cc:2 kc:5",
      "*: K=fc+cc, size?=nx+ny, distortion=kc, cameraFromWorld.rotationVector=omc_*, cameraFromWorld.translation=Tc_*\n"
      "K: K=fc+cc, size?=nx+ny, distortion=kc",
@@ -255,6 +272,8 @@ constexpr Row kRows[] = {
 #undef POSES
 #undef NOTHING_READ
 #undef ROS_SIZE
+#undef ROS_RAW
+#undef OST_RAW
 #undef OPENCV
 #undef VIEWS
 #undef MATLAB
@@ -267,6 +286,8 @@ constexpr Row kRows[] = {
 #undef BESIDE
 #undef STEREO
 #undef STEREO_SIZE
+#undef SIDE_K
+#undef SIDES
 #undef VELODYNE
 #undef OPEN3D
 #undef RECORD
@@ -274,7 +295,7 @@ constexpr Row kRows[] = {
 struct RowLine {
   std::string_view names;
   std::vector<Part> parts;
-  bool isThere, isOfAnother;
+  bool isThere, isOfAnother, isLens;
 };
 
 std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view container) {
@@ -292,6 +313,7 @@ std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view
     }
     line.parts = parseParts(text, std::string(row.name), container);
     requireNames(line.parts, std::string(row.name), true);
+    line.isLens = line.parts.front().name == "K" && line.parts.back().name != "rectified";
     line.isThere = isFirstEnough ? hasParts(root, {line.parts.front()}) : hasParts(root, line.parts);
     lines.push_back(std::move(line));
   }
@@ -325,6 +347,7 @@ Import importRow(const Row& row, const Node& root, std::string_view container) {
     for (CameraEntry& camera : cameras) {
       if (!camera.name.empty()) earlier.insert(camera.name);
       camera.isOfAnother = line.isOfAnother;
+      camera.isLensAlone = line.isOfAnother && line.isLens;
       all.cameras.push_back(std::move(camera));
     }
   }

@@ -55,7 +55,10 @@ class TextReader {
   explicit TextReader(bool hasSections) : hasSections_(hasSections) {}
 
   void readLine(std::string_view line) {
-    const std::string_view text = withoutComment(line);
+    std::string_view text = withoutComment(line);
+    if (const std::size_t first = text.find_first_not_of(" \t");
+        first < text.size() && text.substr(first, 2) == "- " && isLetter(text[std::min(first + 2, text.size() - 1)]))
+      text.remove_prefix(first + 2);  // an item of a list
     const std::string_view bare = trimmed(text);
     if (bare.size() > 2 && bare.front() == '[' && (isLetter(bare[1]) || bare[1] == '_') &&
         bare.find(']') == bare.size() - 1) {
@@ -203,6 +206,9 @@ class TextReader {
         if (isMark && !name.empty() && !heading.empty()) levels.back().heading = std::exchange(heading, "");
         constexpr std::size_t kDeepestNames = 20;
         if (isOpening) levels.push_back({name, ""});
+        // What <Pinhole fx=1> has after its bracket is its type.
+        if (c == '<' && isOpening && at + 1 < text.size() && isLetter(text[at + 1]))
+          at = std::min(text.find_first_of(kMarks, at + 1), text.size()) - 1;
         if (levels.size() > kDeepestNames) return false;
         if (isBracket && !isOpening && levels.size() > 1) levels.pop_back();
         if (isBracket) name.clear();
@@ -283,7 +289,7 @@ class TextReader {
     if (sign == std::string_view::npos) return;
     const std::string name(stripped(trimmed(text.substr(0, sign)), "\"'"));
     const std::string_view value = stripped(text.substr(sign + 1), " \t\r;,");
-    if (!name.empty() && !value.empty()) box().emplace(name, stripped(value, "\"'"));
+    if (!name.empty() && !value.empty()) put(box(), name, stripped(value, "\"'"));
     key_ = name;
     std::replace_if(
         key_.begin(), key_.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
@@ -399,6 +405,17 @@ Json textTree(std::string_view text, bool* hasHeadings) {
   Json tree = read(false);
   for (const auto& [name, value] : tree.items())
     if (name.ends_with('#')) names.push_back(name.substr(0, name.size() - 1));
+  // A text in which all names come again is a list.
+  const std::size_t count = names.empty() ? 0 : tree[names.front() + "#"].size() + 1;
+  const bool isList =
+      names.size() > 1 && 2 * names.size() == tree.size() &&
+      std::all_of(names.begin(), names.end(), [&](const auto& name) { return tree[name + "#"].size() + 1 == count; });
+  if (isList) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::string& name : names) list[i][name] = std::move(i > 0 ? tree[name + "#"][i - 1] : tree[name]);
+    tree = std::move(list);
+  }
   if (names.size() < kLeast) return tree;
   Json sections = read(true);
   std::unordered_map<std::string, std::size_t> sectionsWith;

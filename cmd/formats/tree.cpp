@@ -1,5 +1,6 @@
 #include "formats/tree.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,16 @@ bool beginsWithWord(std::string_view text) {
          word != "Infinity" && word != "nan" && word != "inf";
 }
 
-/// A matrix {"rows", "cols", "data"} becomes its rows, or the list of its numbers if it has one row or column.
+/// [{"name": "k1", "value": 0.1}, ...]: an object, as some programs write it.
+bool isNamedValues(const Json& value) {
+  return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), [](const Json& part) {
+           return part.is_object() && part.size() == 2 && part.contains("value") && part.contains("name") &&
+                  part["name"].is_string();
+         });
+}
+
+/// A matrix {"rows", "cols", "data"} becomes its rows, or the list of its numbers if it has one row or column; a list
+/// of names and values their object.
 void unfoldMatrices(Json& value) {
   const auto sideOf = [&](const char* key) {
     const auto numbers = value.contains(key) ? numbersIn(value[key]) : std::nullopt;
@@ -57,12 +67,22 @@ void unfoldMatrices(Json& value) {
       value = isMatrix ? rowsOf(*numbers, static_cast<std::size_t>(columns)) : Json(*numbers);
       return;
     }
+  if (isNamedValues(value)) {
+    Json members = Json::object();
+    for (const Json& part : value) members[part["name"].get<std::string>()] = part["value"];
+    if (members.size() == value.size()) value = std::move(members);
+  }
   if (value.is_structured() && !(value.is_array() && !value.empty() && value.front().is_number()))
     for (Json& part : value) unfoldMatrices(part);
 }
 
 /// Whether texts with numbers in them are all that it holds, "(1, 2, 3)", "X=1 Y=2", or all beside numbers.
 bool holdsTexts(const Json& root) {
+  if (root.is_array())  // items of a list, as "Rotation: in Quaternion [1, 0, 0, 0]"
+    return std::any_of(root.begin(), root.end(), [](const Json& item) {
+      return item.is_object() && item.size() == 1 && item.front().is_string() && holdsTexts(item) &&
+             item.front().get_ref<const std::string&>().ends_with(']');
+    });
   if (!root.is_object()) return false;
   bool hasTexts = false, hasMarks = false, hasNumbers = false;
   for (const Json& value : root) {
@@ -165,7 +185,7 @@ Document readTree(const std::string& source, const std::string& option, ReadingT
     readText(document, source, true);
   } else {
     std::string bytes = readWithoutGlb(name, kMostDocumentBytes);
-    if (const char* const why = taken.mayBeRefused ? nullptr : refusalOf(bytes))
+    if (const char* const why = taken.mayBeRefused ? nullptr : refusalOf(name, bytes))
       throw InputError(document.name + ": " + why);
     if (isNumpy(bytes)) {
       Json arrays = readNumpy(document.name, bytes);

@@ -29,14 +29,15 @@ std::string readWithoutGlb(const std::string& name, std::size_t most);
 
 /// Words before numbers are their name, and blocks without a name are #1, #2 …; a block ends at a blank line or at
 /// other words. "[heading]" opens an object. The second block of a name goes into the list "name#". An object without
-/// members if there are no numbers. Where names come again, words alone above lines with names open objects too.
+/// members if there are no numbers. Where names come again, words alone above lines with names open objects too;
+/// where all do, the text is a list of objects.
 /// hasHeadings: set to true where several have no colon, so that the text is no YAML.
 Json textTree(std::string_view text, bool* hasHeadings = nullptr);
 
 /// A header of four names or more, then lines with as many cells: an array of objects. Null for other text.
 Json tableTree(std::string_view text);
 
-/// Why a file that another program wrote is not read, and what to do; or null.
-const char* refusalOf(std::string_view text);
+/// Why a file of this name, which another program wrote, is not read, and what to do; or null.
+const char* refusalOf(std::string_view name, std::string_view text);
 
 }  // namespace viewproj::cmd

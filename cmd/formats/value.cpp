@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "text/error.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 
@@ -33,26 +34,21 @@ std::optional<double> numberIn(const Json& value) {
 }
 
 /// Appends the members of an object, or the attributes of an element of XML, in the order of a row whose first names
-/// they all are.
+/// they all are, in any letter case.
 bool appendOrdered(const Json& object, std::vector<double>& numbers) {
   for (const std::string_view order : kOrders) {
     const std::vector<std::string_view> names = split(order, " ");
     if (object.size() < 2 || object.size() > names.size()) continue;
-    for (const bool isUpper : {false, true})
-      for (const std::string mark : {"", "@"}) {
-        std::vector<double> values;
-        for (std::size_t i = 0; i < object.size(); ++i) {
-          std::string name = mark + std::string(names[i]);
-          if (isUpper)
-            std::transform(name.begin(), name.end(), name.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-          if (const auto member = object.find(name); member != object.end())
-            if (const auto number = numberIn(*member)) values.push_back(*number);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < object.size(); ++i)
+      for (const auto& [key, member] : object.items())
+        if (sameButForCase(std::string_view(key).substr(key.starts_with('@') ? 1 : 0), names[i])) {
+          if (const auto number = numberIn(member)) values.push_back(*number);
+          break;
         }
-        if (values.size() < object.size()) continue;
-        numbers.insert(numbers.end(), values.begin(), values.end());
-        return true;
-      }
+    if (values.size() < object.size()) continue;
+    numbers.insert(numbers.end(), values.begin(), values.end());
+    return true;
   }
   return false;
 }

@@ -11,6 +11,7 @@
 #include "text/json_text.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 
@@ -116,27 +117,38 @@ std::vector<WrittenFile> writeOpenCv(std::span<const WrittenCamera> cameras, std
 }
 
 std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::string_view) {
-  const WrittenCamera& camera = cameras.front();
-  const auto k = matrixOf(atCentres(camera));
-  std::vector<double> c(5);
-  if (camera.file.lens) c = coefficientsOf(*camera.file.lens);
-  std::string text = "image_width: " + formatNumber(camera.width()) +
-                     "\nimage_height: " + formatNumber(camera.height()) +
-                     "\ncamera_name: " + jsonOf(camera.name.empty() ? "camera" : camera.name) + "\n";
-  const auto add = [&](std::string_view name, std::size_t rows, std::span<const double> numbers) {
-    text += std::string(name) + ":\n  rows: " + std::to_string(rows) +
-            "\n  cols: " + std::to_string(numbers.size() / rows) + "\n  data: " + yamlList(numbers) + "\n";
-  };
-  add("camera_matrix", 3, k);
-  text += std::string("distortion_model: ") +
-          (isFisheye(camera) ? "equidistant"
-           : c.size() > 5    ? "rational_polynomial"
-                             : "plumb_bob") +
-          "\n";
-  add("distortion_coefficients", 1, c);
-  add("rectification_matrix", 3, std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
-  add("projection_matrix", 3, std::array<double, 12>{k[0], 0, k[2], 0, 0, k[4], k[5], 0, 0, 0, 1, 0});
-  return {{"", text}};
+  std::vector<WrittenFile> files;
+  // P is of one lens for all, as pictures of a rectified pair have it.
+  const Intrinsics straight = atCentres(cameras.front());
+  for (const WrittenCamera& camera : cameras) {
+    const std::string name = camera.name.empty() ? "camera" + (cameras.size() > 1 ? camera.number : "") : camera.name;
+    const auto m = worldFromCamera(camera, CameraAxes::RDF);
+    std::vector<double> c(5);
+    if (camera.file.lens) c = coefficientsOf(*camera.file.lens);
+    std::string text = "image_width: " + formatNumber(camera.width()) +
+                       "\nimage_height: " + formatNumber(camera.height()) + "\ncamera_name: " + jsonOf(name) + "\n";
+    const auto add = [&](std::string_view member, std::size_t rows, std::span<const double> numbers) {
+      text += std::string(member) + ":\n  rows: " + std::to_string(rows) +
+              "\n  cols: " + std::to_string(numbers.size() / rows) + "\n  data: " + yamlList(numbers) + "\n";
+    };
+    add("camera_matrix", 3, matrixOf(atCentres(camera)));
+    text += std::string("distortion_model: ") +
+            (isFisheye(camera) ? "equidistant"
+             : c.size() > 5    ? "rational_polynomial"
+                               : "plumb_bob") +
+            "\n";
+    add("distortion_coefficients", 1, c);
+    add("rectification_matrix", 3, std::array{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
+    add("projection_matrix", 3,
+        std::array{straight.fx, 0.0, straight.cx, 0.0 - straight.fx * m[3], 0.0, straight.fy, straight.cy,
+                   0.0 - straight.fy * m[7], 0.0, 0.0, 1.0, 0.0});
+    std::string file = name + ".yaml";
+    std::replace(file.begin(), file.end(), '/', '_');
+    if (std::any_of(files.begin(), files.end(), [&](const WrittenFile& other) { return other.name == file; }))
+      camera.file.fail(camera.file.name + ": another camera is written as " + inQuotes(file));
+    files.push_back({cameras.size() > 1 ? file : "", text});
+  }
+  return files;
 }
 
 std::vector<WrittenFile> writeKitti(std::span<const WrittenCamera> cameras, std::string_view) {

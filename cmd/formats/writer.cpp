@@ -21,7 +21,9 @@ constexpr std::uint32_t kPicture = kPixels | kSizePlace | kShapePlace,
 constexpr Writer kWriters[] = {
     {"opencv", ".yml .xml", kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace | kSeveralPlace,
      writeOpenCv, 2},
-    {"ros", "", kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize, writeRos},
+    {"ros", "",
+     kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize | kStereoPosePlace | kSeveralPlace,
+     writeRos},
     {"kalibr", "",
      kPicture | kOffCentrePlace | kPosePlace | kSeveralPlace | kNeedsWholeSize | kBrownPlace | kFisheyePlace |
          kUnifiedPlace | kDoubleSpherePlace | kOmniPlace | kFovPlace,
@@ -29,7 +31,7 @@ constexpr Writer kWriters[] = {
     {"colmap", "/",
      kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kQuaternions |
          kNeedsWholeSize,
-     writeColmap},
+     writeColmap, SIZE_MAX, leftOutOfColmap},
     {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
     {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
@@ -40,6 +42,7 @@ constexpr Writer kWriters[] = {
      writeThreeJs},
     {"open3d", "", kPicture | kOffCentrePlace | kStatedPoses | kNeedsWholeSize, writeOpen3d},
     {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti, 4},
+    {"kitti-poses", "", kPosesAlone | kStatedPoses, writeKittiPoses},
     {"tum", "", kPosesAlone | kNamedPoses | kQuaternions, writeTum},
     {"csv", ".csv",
      kPicture | kOffCentrePlace | kNearPlace | kOpenCvLens | kUnifiedPlace | kDoubleSpherePlace | kOmniPlace |
@@ -90,8 +93,9 @@ class Places {
   void require() {
     requireParts();
     if (lacks(kPosesAlone)) requirePicture();
-    if (lacks(kPosePlace) && !camera_.isAtOrigin())
-      lack(std::string("a pose; ") +
+    if (lacks(kPosePlace) && !camera_.isAtOrigin() && (lacks(kStereoPosePlace) || !looksAlongZ()))
+      lack(std::string("a pose") +
+           (lacks(kStereoPosePlace) ? "; " : " that does not look along z, from the plane z = 0; ") +
            (file_.convention.view == ViewAxes::RDF && !valueAt(*file_.document.root, "cameraAxes")
                 ? "--world-from-camera 0,0,0"
                 : "--position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF") +
@@ -102,6 +106,11 @@ class Places {
  private:
   bool lacks(Place place) const { return (writer_.places & place) == 0; }
   void lack(const std::string& what) { lacking_ += (lacking_.empty() ? "" : "; nor for ") + what; }
+
+  bool looksAlongZ() const {
+    const Mat4& m = camera_.worldFromCamera;
+    return m[0][0] > 0 && m[1][1] > 0 && m[2][2] > 0 && std::fabs(m[2][3]) <= kRounding * std::hypot(m[0][3], m[1][3]);
+  }
 
   void requirePicture() {
     const Projection& p = *file_.projection;

@@ -75,8 +75,9 @@ enum Place : std::uint32_t {
   kDoubleSpherePlace = 1 << 21,
   kOmniPlace = 1 << 22,
   kFovPlace = 1 << 23,
-  kWholeOmniPlace = 1 << 24,  ///< k3 to k6 of it
-  kYIsUp = 1 << 25,           ///< in its world, and no form says otherwise
+  kWholeOmniPlace = 1 << 24,   ///< k3 to k6 of it
+  kYIsUp = 1 << 25,            ///< in its world, and no form says otherwise
+  kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0
 };
 
 struct WrittenFile {
@@ -92,6 +93,8 @@ struct Writer {
   /// ending: of the file that is written.
   std::vector<WrittenFile> (*write)(std::span<const WrittenCamera> cameras, std::string_view ending);
   std::size_t most = SIZE_MAX;  ///< cameras, if kSeveralPlace
+  /// What a source of this very form holds that is not written, for a note; or empty.
+  std::string (*leftOut)(const std::string& source) = nullptr;
 };
 std::span<const Writer> writers();
 
@@ -103,7 +106,10 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
 
 using Write = std::vector<WrittenFile>(std::span<const WrittenCamera>, std::string_view);
 Write writeOpenCv, writeRos, writeKalibr, writeColmap, writeTransforms, writeSplats, writeOpen3d, writeGltf,
-    writeThreeJs, writeKitti, writeTum, writeTable;
+    writeThreeJs, writeKitti, writeKittiPoses, writeTum, writeTable;
+
+/// See Writer.
+std::string leftOutOfColmap(const std::string& source);
 
 /// A YAML number that no reader takes for an integer or a text.
 std::string yamlNumber(double value);

@@ -117,18 +117,23 @@ void drawTicks(const Drawing& drawing) {
   }
 }
 
-/// Rows of items below the frame, as many a row as fit.
+/// Rows of items below the frame, as many a row as fit. An item longer than a row goes on in the next one.
 class Rows {
  public:
   Rows(Sheet& sheet, double top) : sheet_(sheet), at_{sheet.frame.left, top} {}
 
   void add(const std::string& text, const char* symbol = nullptr) {
     constexpr double kGap = 16, kOfSymbol = 26;
-    const double before = symbol ? kOfSymbol : 0, width = before + textWidth(text, kOfLegend);
-    if (at_.x + width > sheet_.frame.right) next();
+    const double before = symbol ? kOfSymbol : 0, room = sheet_.frame.right - sheet_.frame.left - before;
+    if (at_.x + before + textWidth(text, kOfLegend) > sheet_.frame.right) next();
+    std::string row = text;
+    while (textWidth(row, kOfLegend) > room && row.find(' ') != std::string::npos) row.resize(row.rfind(' '));
     if (symbol) sheet_.addSymbol(symbol, {at_.x, at_.y - 4});
-    sheet_.addText(Layer::texts, kOfLegend, {at_.x + before, at_.y}, "start", text);
-    at_.x += width + kGap;
+    sheet_.addText(Layer::texts, kOfLegend, {at_.x + before, at_.y}, "start", row);
+    at_.x += before + textWidth(row, kOfLegend) + kGap;
+    if (row.size() == text.size()) return;
+    next();
+    add(text.substr(row.size() + 1));
   }
   void next() {
     constexpr double kHeight = 19;

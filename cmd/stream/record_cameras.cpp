@@ -56,6 +56,10 @@ Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
   return camera;
 }
 
+std::size_t placeOf(const RecordView& record, std::size_t field) {
+  return isBinary(record.schema->form) ? field * bytesOf(record.schema->form) : record.offset(field);
+}
+
 }  // namespace
 
 std::size_t cameraFieldOf(const std::string& name, const RecordView& record, const char* option) {
@@ -206,21 +210,24 @@ std::vector<CameraField> RecordCameras::locate(const RecordView& record, const N
   return fields;
 }
 
-const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::size_t field,
-                                               std::string_view name) const {
-  const bool hasPlace = !isBinary(record.schema->form);
-  const std::size_t offset = hasPlace ? record.offset(field) : field * bytesOf(record.schema->form);
-  const auto which = setup_.cameras->find(name);
+std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPicked, const RecordView& record,
+                        std::size_t field) {
+  const std::string name = cameraNameAt(record, field);
+  const auto which = cameras.find(name);
+  if (which && isPicked[*which]) return *which;
   const std::string label = record.schema->isArray ? "" : visible(record.schema->names[field]) + ": ";
-  if (!which || !isPicked_[*which])
-    throw RecordError(
-        offset, label + (name.empty() ? "names no camera"
-                                      : "no camera of " + setup_.cameras->name() + " is called " + inQuotes(name) +
-                                            ", or several are; viewproj info lists them"));
+  throw RecordError(placeOf(record, field),
+                    label + (name.empty() ? "names no camera"
+                                          : "no camera of " + cameras.name() + " is called " + inQuotes(name) +
+                                                ", or several are; viewproj info lists them"));
+}
+
+const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::size_t field) const {
+  const std::size_t which = cmd::cameraNamed(*setup_.cameras, isPicked_, record, field);
   try {
-    return cameraOf(*which);
+    return cameraOf(which);
   } catch (const InputError& e) {
-    throw RecordError(offset, e.what());
+    throw RecordError(placeOf(record, field), e.what());
   }
 }
 
@@ -260,7 +267,7 @@ std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& reco
   if (!last_ || text_ != lastText_) {
     last_ = nullptr;
     if (choice == CameraChoice::named)
-      last_ = &cameras_.cameraNamed(record, fields.front().field, text_);
+      last_ = &cameras_.cameraNamed(record, fields.front().field);
     else
       last_ = &own_.emplace_back(cameras_.ownCamera(record, fields));
     lastText_ = text_;

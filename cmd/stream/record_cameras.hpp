@@ -42,6 +42,9 @@ struct CameraField {
 std::size_t cameraFieldOf(const std::string& name, const RecordView& record, const char* option = "--camera-by");
 /// The camera that a record names in this field; empty where the value is no name.
 std::string cameraNameAt(const RecordView& record, std::size_t field);
+/// The camera of the set that it names, among those that are picked. Throws RecordError.
+std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPicked, const RecordView& record,
+                        std::size_t field);
 
 enum class CameraChoice : unsigned char { one, named, own, each };
 
@@ -87,7 +90,7 @@ class RecordCameras {
   void requireWorld(const CameraFile& file) const;
   /// Made when it is first used, and kept. Throws InputError.
   const RecordCamera& cameraOf(std::size_t which) const;
-  const RecordCamera& cameraNamed(const RecordView& record, std::size_t field, std::string_view name) const;
+  const RecordCamera& cameraNamed(const RecordView& record, std::size_t field) const;
   RecordCamera ownCamera(const RecordView& record, std::span<const CameraField> fields) const;
 
   Setup setup_;

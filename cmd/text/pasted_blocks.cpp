@@ -302,8 +302,7 @@ class BlockFinder {
       }
       if (most == 3 || most == 4) return {};
     }
-    // Frame 1 and frame 2 of an animation are no matrix.
-    const bool areEights = parts.size() == 2 && least == 8 && most == 8 && parts[1][0].value != parts[0][0].value + 1;
+    const bool areEights = parts.size() == 2 && least == 8 && most == 8;
     if (isOne && isCount(count) && (inside != 0 || most == 1 || areEights)) return {flat(parts)};
     if (inside == 0 && parts.size() == 5)  // "4 4" in front of sixteen
       for (const bool isFront : {true, false}) {

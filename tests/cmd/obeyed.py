@@ -512,11 +512,14 @@ for command in CAMERAS:
     row(command, "--allow-stretch", stretched, changed(LENS, {"projection.aspect": 1}))
     if command in ("info", "depth", "footprint"):
         row(command, "--convention d3d", same(changed(LENS, {"convention": "d3d"})), None, f"{TYPED} {extras}")
+    elif command not in ("project", "matrix", "convert", "explain"):
+        row(command, "--convention d3d", lambda _, after, __: require(
+            after.status == 2 and "--read-as d3d" in after.err, "does not say what to do", after))
 row("triangulate", f"--camera {json.dumps(SET)}", same(SET), None)
 row("triangulate", "--parts K=A,size=w+h,worldFromCamera=T", lambda _, after, __: require(
     "two cameras" in after.err, "is another camera", after), None, f"-c {compact(**PARTS)}")
 row("convert", "--geoid 50", holds("is no mend", lambda before, after:
-    before.status == 1 and "--geoid" in before.err and not after.status), CAMERA["--geoid"]("")[1])
+    before.status == 2 and "--geoid" in before.err and not after.status), CAMERA["--geoid"]("")[1])
 row("fit", "--ortho-width 12", kept(12), changed(BOX, {"projection.height": None}))
 row("fit", "--ortho-height 9", kept(12), changed(BOX, {"projection.width": None}))
 for command in ("project", "matrix", "convert", "explain"):

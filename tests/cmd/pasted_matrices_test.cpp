@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "commands/pasted/reading_order.hpp"
 #include "commands/pasted/readings.hpp"
 #include "parts.hpp"
 #include "random.hpp"
@@ -395,6 +396,15 @@ TEST_CASE("The likeliest reading is first") {
       "[ 1.4722,  0.4885,  0.8296,  0.8296],\n[ 0.0000,  0.0000,  4.8123,  4.8218]])");
   CHECK(splats.layout == MatrixLayout::transposed);
   CHECK(splats.camera->convention.ndcY == NdcY::down);
+  // What stands level is likelier: a place of tf with z up, not a view that has its horizon upright.
+  const Reading tf = first("0.000 -0.259 0.966 0.105\n-1.000 0.000 0.000 0.012\n0.000 -0.966 -0.259 0.285\n0 0 0 1\n");
+  CHECK(tf.kind == ReadingKind::pose);
+  CHECK(tf.camera->convention.view == ViewAxes::RDF);
+  // And what does not hang: Direct3D's left-handed world, not Vulkan's right-handed one upside down.
+  const Reading upright = first(
+      "0.6917591 0 0.9882273 0\n-0.1945365 2.131319 0.1361756 -3.196979\n-0.8150091 -0.1108412 0.5705063 15.03374\n"
+      "-0.814194 -0.1107304 0.5699358 15.5187\n");
+  CHECK(upright.camera->convention.world == Handedness::left);
   // An entry that was typed wrong is named.
   const auto fault = readingsOf(findMatrices("0.6 0 0.8 1\n0 1 0 2\n-0.8 0 2.6 3\n0 0 0 1\n").matrices.front()).fault;
   CHECK(fault == "row 3 has 2.6 where 0.6 would make it a rotation");

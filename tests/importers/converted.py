@@ -215,11 +215,29 @@ def ros():
         model = info.distortion_model
         assert model == {"rational": "rational_polynomial", "fisheye": "equidistant"}.get(lens, "plumb_bob"), model
         assert list(info.P) == [*info.K[:3], 0, *info.K[3:6], 0, *info.K[6:], 0] and list(info.R) == [1, 0, 0, 0, 1, 0, 0, 0, 1]
-        project = cv2.fisheye.projectPoints if model == "equidistant" else cv2.projectPoints
-        pixels = project(np.array(case.points).reshape(-1, 1, 3), np.zeros(3), np.zeros(3), np.array(info.K).reshape(3, 3), np.array(info.D))[0]
-        case.compare(lens, [pixels.reshape(-1, 2).tolist()], 0.5)
+        case.compare(lens, [seen(info, case.points)], 0.5)
+
+    def seen(info, points, R=np.eye(3), eye=np.zeros(3)):
+        project = cv2.fisheye.projectPoints if info.distortion_model == "equidistant" else cv2.projectPoints
+        pixels = project(np.array(points).reshape(-1, 1, 3), cv2.Rodrigues(R.T)[0], -R.T @ eye, np.array(info.K).reshape(3, 3), np.array(info.D))[0]
+        return pixels.reshape(-1, 2).tolist()
+
+    def pair(seed, folder):
+        """Two cameras before rectification: R turns to the pictures of P, whose Tx is -fx times the baseline."""
+        cameras = [camera_of(("none", "brown5", "fisheye")[seed % 3], posed=False, size=(640, 480)) for _ in range(2)]
+        for i, camera in enumerate(cameras):
+            camera.update(name=("left", "right")[i], position=[0.3 * i, 0, 0], rotation=[random.uniform(-0.1, 0.1) for _ in range(3)] + [1])
+        case, said = Case(folder, cameras), []
+        out = case.convert("ros", "rig/")
+        for name in "left", "right":
+            read, info = readCalibration(str(out / f"{name}.yaml"))
+            P, R = np.array(info.P).reshape(3, 4), np.array(info.R).reshape(3, 3)
+            assert read == name and (P[:, :3] == np.array(readCalibration(str(out / "left.yaml"))[1].K).reshape(3, 3)).all()
+            said.append(seen(info, case.points, R, np.array([-P[0, 3] / P[0, 0], 0, 0])))
+        case.compare("pair", said, 0.5)
     cases(15, make)
-    return 5, 20
+    cases(6, pair)
+    return 6, 20
 
 
 def colmap():
@@ -345,6 +363,13 @@ def formulas():
             said.append((h[:, :2] / h[:, 2:]).tolist())
         case.compare("kitti", said, 0.5)
 
+    def kitti_poses(case):
+        said = []
+        for line, camera in zip(case.convert("kitti-poses", "00.txt").read_text().splitlines(), case.cameras):
+            m, k = np.array(line.split(), float).reshape(3, 4), camera["projection"]
+            said.append(pinhole(seen(*from_rows(m), case.points), k["fx"], k["fy"], k["cx"], k["cy"]))
+        case.compare("kitti-poses", said)
+
     def tum(case):
         lines = [line.split() for line in case.convert("tum", "poses.txt").read_text().splitlines() if not line.startswith("#")]
         said = []
@@ -391,10 +416,11 @@ def formulas():
         kalibr(Case(folder, pick("none", "brown", "fisheye", "omni", "double-sphere", "unified", "fov")))
         kitti(Case(folder, pick("none")))
         tum(Case(folder, pick("none")))
+        kitti_poses(Case(folder, pick("none")))
         matrices(Case(folder, [camera_of()]))
         table(Case(folder, pick("none", "brown", "rational", "fisheye", "omni", "double-sphere", "unified", "fov")))
     cases(10, make)
-    return 7, 100
+    return 8, 100
 
 
 try:

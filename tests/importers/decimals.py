@@ -309,17 +309,21 @@ def ros():
 
 
 def turned():
-    """R of a ROS camera plays no part in K, of points in the camera's frame, nor in P, of points in the rectified one."""
+    """R of a ROS camera plays no part in K, of points in the camera's frame, nor in P, of points in the rectified one; it leads from there to K."""
     size, fx, fy, cx, cy = lens()
     eye = ORIGIN
     base = D(float(number(-0.5, 0.5) * fx))
     raw = Camera(eye, [D(0)] * 3, fx, fy, cx + HALF, cy + HALF, size)
     rectified = Camera(eye, [base / fy, D(0), D(0)], fy, fy, cy + HALF, cx + HALF, size)
     p = K(fy, fy, cy, cx)
+    R = doubles(rotation())
+    back = inverse(decimals(R))
+    stereo = Camera(back, times(back, [base / fy, D(0), D(0)]), fx, fy, cx + HALF, cy + HALF, size)
     file = {"width": size[0], "height": size[1], "distortion_model": "plumb_bob", "D": [0.0] * 5, "K": flat(K(fx, fy, cx, cy)),
-            "R": flat(doubles(rotation())), "P": [*p[0], float(base), *p[1], 0.0, *p[2], 0.0]}
+            "R": flat(R), "P": [*p[0], float(base), *p[1], 0.0, *p[2], 0.0]}
     write("ROS, turned, raw", file, raw, pick="raw", centers=True)
     write("ROS, turned, rectified", file, rectified, pick="rectified", centers=True)
+    write("ROS, turned, stereo", file, stereo, pick="stereo", centers=True)
 
 
 def opencv():

@@ -22,7 +22,7 @@ LEAST = {
                    "bottom": 10, "top": 10, "near": 10, "far": 10, "behind": 10}),
     "opencv": (22, {"screen": 500, "viewDistance": 800, "visible": 800, "outside": 800, "left": 25, "right": 25, "bottom": 25,
                     "top": 25, "near": 2, "far": 2, "behind": 25, "lens": 60}),
-    "decimals": (26, {"screen": 250, "viewDistance": 300, "visible": 300, "outside": 300, "left": 25, "right": 25, "bottom": 25,
+    "decimals": (27, {"screen": 250, "viewDistance": 300, "visible": 300, "outside": 300, "left": 25, "right": 25, "bottom": 25,
                       "top": 25, "behind": 25}),
 }
 counts = {}

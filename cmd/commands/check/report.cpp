@@ -202,7 +202,8 @@ OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& othe
       if (!camera) continue;
       Explanation e{.hypothesis = {.mistake = "camera-of-file", .value = pick, .camera = *camera}};
       e.misses = missesOf(e.hypothesis, judged);
-      if (!areWithin(e.misses, within_)) continue;
+      const auto isSame = [&](const Explanation& other) { return other.misses == e.misses; };
+      if (!areWithin(e.misses, within_) || std::any_of(ofOthers.begin(), ofOthers.end(), isSame)) continue;
       e.rms = std::sqrt(squaresOf(e.misses) / static_cast<double>(2 * judged.size()));
       for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
       ofOthers.push_back(std::move(e));

@@ -188,7 +188,20 @@ class LayoutReader {
     r.camera->layout = laid_.layout;
     r.scaledBy = scaledBy;
     r.isCentred = scaledBy == 1 && !camera.lens && isCentred(r.kind);
+    if (camera.pose) r.rise = riseOf(*camera.pose);
     return r;
+  }
+
+  /// Of up along y or z, the larger of those that the picture's rows do not follow.
+  double riseOf(const Pose& pose) const {
+    double error = 1e-6, rise = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const double size = length(rowOf(m_, i)); size > 0)
+        error = std::max(error, 4 * maxAbs(rowOf(errors_, i)) / size);
+    for (const std::size_t axis : {1U, 2U})
+      if (std::fabs(pose.right()[axis]) <= error && std::fabs(pose.up()[axis]) > std::fabs(rise))
+        rise = pose.up()[axis];
+    return rise;
   }
 
   /// Whether the world's origin lies on the z axis of the camera, which is turned.

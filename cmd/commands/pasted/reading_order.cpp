@@ -66,14 +66,15 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   if (r.camera && r.camera->lens) cost += costOfDepth(r);
   if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
   if (r.isCentred) cost -= 3;
+  if (r.rise != 0) cost -= r.rise > 0 ? 1.5 : 1.25;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;
   if (hint.isTransposed && r.layout == MatrixLayout::asWritten) cost += 6;
   // The picture of RDF has y down, where the projection flips nothing.
   if (hint.isTransposed && hint.axes == ViewAxes::RDF && r.kind == viewProjection &&
       r.camera->convention.ndcY != NdcY::down)
-    cost += 0.2;
+    cost += 0.3;
   if (r.kind != view && r.kind != pose) return cost;
-  if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.2;
+  if (hint.axes && r.camera->convention.view != hint.axes) cost += 0.3;
   if (hint.areAxesOfK && r.camera->convention.view == hint.axes && isUpsideDown(*r.camera->pose)) cost += 0.3;
   if ((hint.kind == view || hint.kind == pose) && hint.weight == kSpoken) return cost;
   double error = 1e-300;

@@ -53,6 +53,7 @@ struct Reading {
   bool isMirrored = false;  ///< of a P or rotation
   double scaledBy = 1;      ///< of a view or pose: the rotation times this
   bool isCentred = false;   ///< of a view or pose: the camera looks at the world's origin
+  double rise = 0;          ///< of a level camera's up along y or z, to which the picture's rows are at right angles
   bool isUniform = false;   ///< orthographic, of rows of one length, turned: likelier a scaled pose
   double cost = 0;
 };

@@ -21,7 +21,7 @@ constexpr std::string_view
     kOfK = "k m mtx matrix intrinsic intrinsics intr intri kmat camk cammatrix cammtx",
     kOfD =
         "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs distcoef distcoefs coeff "
-        "coeffs lens kappa radial dc coef coefs coefficients kc",
+        "coeffs lens kappa radial dc coef coefs coefficients kc dewarp",
     kLensModels = "brown conrady brownconrady radtan plumb plumbbob kannala brandt kannalabrandt kb4 equidistant",
     kOfOtherLens = "inverse modified d dist distortion distortions coeff coeffs coef coefs coefficients lens kc",
     kOfS = "size sz pixels resolution res dimension dimensions shape wh hw image",
@@ -38,7 +38,8 @@ constexpr std::string_view
 constexpr std::string_view kBoxes =
     "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
-    "frames world calibrated perspective cv mode projection transform the of to from image images img p w h fx fy cx "
+    "frames world calibrated perspective cv mode projection transform the of to in from image images img p w h fx fy "
+    "cx "
     "cy f "
     "focal princpt "
     "fov "
@@ -167,6 +168,7 @@ constexpr Look kLooks[] = {
     {"D", "2 4 5 8 12 14", isLens, kOfD, 0, Look::name, "", "c center centre pp principal", false},
     {"D", "4 5 8", isLens, kLensModels, 0, Look::name, "", kOfOtherLens, false},
     {"D", "4 5 8", isSmall, "k", 0, Look::letters, "", "", false},
+    {"d", "3 6 7 9", isLens, kOfD, 0, Look::name, "", "c center centre pp principal matrix", false},
     {"S", "2", isSize, kOfS, 0, Look::name, "", "sensor crop window grid board pattern chess"},
     {"F", "2", isFocalPair, "fc focal focallength foc f", 0, Look::letters},
     {"C", "2", isCentre, "cc principalpoint princpt pp center ctr c p", 0, Look::letters},

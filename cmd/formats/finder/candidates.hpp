@@ -10,9 +10,9 @@
 
 namespace viewproj::cmd {
 
-/// kind: K P X (a pose) R V Q (turns) T E (a translation, an eye) D S F C (focal lengths, a centre), or the name of a
-/// scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z, pixel (its size). "?": 3 to 16 numbers
-/// that are none of these.
+/// kind: K P X (a pose) R V Q (turns) T E (a translation, an eye) D d (a lens, and what may be one) S F C (focal
+/// lengths, a centre), or the name of a scalar: fx fy cx cy f w h fovX fovY fov k1 … p2, r11 …, qx …, tx …, x y z,
+/// pixel (its size). "?": 3 to 16 numbers that are none of these.
 struct Candidate {
   std::string kind;
   std::vector<std::string> steps;  ///< of the path

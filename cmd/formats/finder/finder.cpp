@@ -58,6 +58,14 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
     }
   }
   sharePoses(lines);
+  // Two lenses with one pose are a pair, and no set: the pose is the second's alone.
+  std::erase_if(lines, [&](const LineDraft& pair) {
+    return pair.first->star.size() == 2 && pair.poses.empty() &&
+           std::any_of(lines.begin(), lines.end(), [&](const LineDraft& line) {
+             const auto isFirst = [&](const auto& each) { return each.second == line.first; };
+             return line.isOfPair && std::any_of(pair.first->star.begin(), pair.first->star.end(), isFirst);
+           });
+  });
   if (lines.empty()) {
     const bool hasTarget =
         std::any_of(all.begin(), all.end(), [](const Chosen& each) { return each->kind == "target"; });
@@ -211,8 +219,9 @@ Proposal proposeParts(const Document& file) {
     const std::string path = each->path(), box = path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.') + 1);
     // Numbers of no kind and single ones are left out beside the parts that are used, and above them.
     const bool isKind = isAmong(each->kind, "K P X R V Q T E D S F C direction target up"),
-               isBeside = isAmong(
-                   each->kind, "? x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading k1 k2 k3 k4 k5 k6 p1 p2");
+               isBeside =
+                   isAmong(each->kind,
+                           "? d x y z tx ty tz qx qy qz qw rx ry rz pitch roll yaw heading k1 k2 k3 k4 k5 k6 p1 p2");
     const bool isLeft = !lines.empty() && !each->isStarred() && each->terms.empty() &&
                         (isKind || (isBeside && (isUsedBelow(box) || hasWord(path, "dist distortion")))) &&
                         !used.contains(bareOf(*each)) && !isUsedBelow(path + ".") &&
@@ -233,6 +242,17 @@ Proposal proposeParts(const Document& file) {
     addOnce(proposal.leftOut, shownPath(path, stars));
   }
   return proposal;
+}
+
+std::vector<std::string> pathsOfOthers(const Document& file, const std::set<double>& known) {
+  std::vector<std::string> others = pathsOfNumbers(*file.root);
+  std::erase_if(others, [&](const std::string& path) {
+    const auto node = valueAt(Node(file), withStar(path, "0"));
+    const auto numbers = node ? numbersIn(node->json()) : std::nullopt;
+    return saysNothing(path) || !numbers ||
+           std::all_of(numbers->begin(), numbers->end(), [&](double number) { return known.contains(number); });
+  });
+  return others;
 }
 
 std::string textOf(const Proposal& proposal) {

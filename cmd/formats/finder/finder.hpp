@@ -1,6 +1,7 @@
 // Proposes --parts for a file that no format claims.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct Proposal {
 };
 
 Proposal proposeParts(const Document& file);
+
+/// Paths of a file's numbers that are none of these; without those that say nothing of the picture.
+std::vector<std::string> pathsOfOthers(const Document& file, const std::set<double>& known);
 
 /// At most fourteen lines of text.
 std::string textOf(const Proposal& proposal);

@@ -18,6 +18,7 @@ struct LineDraft {
   std::vector<Chosen> used;
   std::vector<Match> poses{};  ///< that go with it, the best first
   bool isNerf = false, isUnreal = false;
+  bool isOfPair = false;  ///< its pose stands beside several lenses
 
   void add(const std::string& name, const std::vector<Chosen>& chosen, double value, const std::string& suffix = "") {
     parts.emplace_back(name, sumOf(chosen) + suffix);

@@ -45,6 +45,18 @@ void putUnit(LineDraft& line, const Candidates& all, const std::vector<Chosen>& 
                      formatDigits(1000 * millimetres, kDigits) + " micrometres?");
 }
 
+/// Numbers that are called a lens, and whose count does not say which they are.
+void askForLens(LineDraft& line, const Candidates& all) {
+  const auto lens = bestOf(*line.first, all, "d");
+  if (!lens) return;
+  const std::string path = lens->parts.front()->path();
+  const std::size_t count = lens->parts.front()->numbers.size();
+  line.ask.push_back(path + ": the lens? " +
+                     (count == 3 ? "distortion=" + path + "[0,1]+0+0+" + path + "[2] if its numbers are k1 k2 k3"
+                                 : "Say which of its " + std::to_string(count) +
+                                       " numbers are k1 k2 p1 p2 k3, as in distortion=" + path + "[0,1,4,5,2]"));
+}
+
 }  // namespace
 
 void putSize(LineDraft& line, const Candidates& all, const std::vector<Scalars>& boxes) {
@@ -104,7 +116,7 @@ void putLens(LineDraft& line, const Candidates& all, const std::vector<Scalars>&
                          ": 4 numbers are k1 k2 p1 p2; fisheye=… if its program says fisheye or equidistant");
     return;
   }
-  if (!named) return;
+  if (!named) return askForLens(line, all);
   std::vector<Chosen> k = together(*named, {"k1", "k2", "p1", "p2"});
   // k4 to k6 are of the rational lens, with p1 and p2 or without.
   const bool isRational = named->contains("k6") && !together(*named, {"k1", "k2", "k3", "k4", "k5"}).empty();

@@ -106,9 +106,10 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
     line.ask.push_back(turn->path() + ": its 9 numbers by rows; " + turn->path() +
                        "^T if they go by columns, as RealSense's extrinsics do");
   if (direction.empty())
-    line.ask.push_back(
-        turn->path() +
-        ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
+    line.ask.push_back(turn->path() +
+                       ": cameraFromWorld (as solvePnP, COLMAP give it) or worldFromCamera (its translation is the "
+                       "place), in place of "
+                       "pose?");
   const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
   if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
     line.ask.push_back(
@@ -170,6 +171,10 @@ void sharePoses(std::vector<LineDraft>& lines) {
                            " cameras; here it is given to the other");
         continue;
       }
+      line.isOfPair = rivals > 1;
+      if (line.isOfPair)
+        line.ask.push_back(sumOf(match.parts) + ": one pose beside " + std::to_string(rivals) +
+                           " cameras: this one's, as stereoCalibrate gives it from the first?");
     }
     putPose(line, match, line.first.get());
   }
