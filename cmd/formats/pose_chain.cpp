@@ -174,7 +174,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   if (!isKept && !opening.pick && result.cameras.size() > 1 &&
       std::any_of(result.cameras.begin(), result.cameras.end(),
                   [](const CameraEntry& camera) { return hasPose(camera.document()); }))
-    throw InputError(name + ": " + option + " would put its " + std::to_string(result.cameras.size()) +
+    throw UsageError(name + ": " + option + " would put its " + std::to_string(result.cameras.size()) +
                      " cameras on one pose; " + both + " moves them together, " + name + "#NAME picks one");
   const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
     std::string names = unread ? unread(which) : "";

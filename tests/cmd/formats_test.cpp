@@ -256,8 +256,6 @@ TEST_CASE("what may be a pose or a lens is refused, beside the lens and in an ob
        "D: differs from dist"},
       {R"({"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "t": [1, 2, 3], "tvec": [1, 2, 4]})",
        "tvec: differs from t"},
-      {R"([{"w": 100, "h": 50, "fx": 100, "fy": 100, "cx": 50, "cy": 25, "qw": 1, "qx": 0, "qy": 0, "qz": 0, "tx": 1, "ty": 2, "tz": 3}])",
-       "pose.quaternion=*.qx+*.qy+*.qz+*.qw, pose.translation=*.tx+*.ty+*.tz', with worldFromCamera"},
       {R"([{"w": 100, "h": 50, "fx": 100, "fy": 100, "cx": 50, "cy": 25, "cameraFromWorld": "1 0 0 0 1 2 3"}])",
        "[3:7]"},
       {R"([{"lat": 47, "lon": 8, "heading": 0, "width": 100, "height": 50, "fovX": 60}])",

@@ -215,6 +215,8 @@ def field_of(command, option):
     if command == "triangulate":
         expected = {"cameras": [changed(each, changes) for each in document["cameras"]]}
     before, obeyed = ran(command, document), ran(command, document, dict.fromkeys((typed, *beside)))
+    if command == "triangulate" and option in ("--world-from-camera", "--camera-from-world"):
+        return require(obeyed.status == 2 and option in obeyed.err, "puts two cameras on one pose", obeyed)
     like = ran(command, expected, beside)
     require(obeyed.status == like.status and obeyed.out == like.out, "is not the camera with that field", obeyed, like)
     require(obeyed.status in (0, BAD.get(command, 0)) or option[2:] in obeyed.err, "fails", obeyed)
