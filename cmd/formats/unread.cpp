@@ -445,9 +445,9 @@ class Unread {
 }  // namespace
 
 bool mayBeOfCamera(std::string_view name) {
-  constexpr std::string_view kTurns = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
+  constexpr std::string_view kTurnsAndAngles = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
   return name.size() > 1 && !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
-         (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurns) ||
+         (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurnsAndAngles) ||
           hasWord(name, kLensWords) || hasWord(name, kPoseWords));
 }
 

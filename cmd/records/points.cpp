@@ -63,12 +63,13 @@ std::optional<NumberPlan> findColumns(const Coordinate& row, const RecordView& r
   }
   if (row.form == CoordinateForm::object)
     for (const bool isAxisFirst : {false, true}) {
-      std::vector<std::string>& names = spellings.emplace_back();
+      std::vector<std::string> names;
       for (const CoordinatePart& part : row.parts)
         for (std::size_t i = 0; i < part.size; ++i) {
           const std::string name(part.name), axis(part.size > 1 ? 1 : 0, "xyz"[i]);
           names.push_back(isAxisFirst ? axis + name : name + axis);
         }
+      spellings.push_back(std::move(names));
     }
   std::optional<NumberPlan> found;
   for (const std::vector<std::string>& names : spellings) {
