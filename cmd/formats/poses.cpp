@@ -94,6 +94,12 @@ std::optional<PosesOfFile> namedPose(const Document& file, const std::string& fi
   const std::vector<ProposedLine> lines = proposeParts(file).lines;
   if (lines.size() != 1 || lines.front().hasLens || lines.front().parts.find(".quaternion=") == std::string::npos)
     return std::nullopt;
+  for (const auto& [again, value] : file.root->items()) {
+    const std::string name = again.substr(0, again.size() - 1);
+    if (file.isPlainText && again.ends_with('#') &&
+        lines.front().parts.find("translation=" + name) != std::string::npos)
+      throw InputError(file.name + ": " + inQuotes(name) + " comes again, and other names do not; keep one pose");
+  }
   std::vector<Part> parts = parseParts(lines.front().parts, "poses");
   std::string direction = field;
   for (Part& part : parts) {

@@ -2,6 +2,7 @@
 // keys.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
@@ -405,15 +406,27 @@ Json textTree(std::string_view text, bool* hasHeadings) {
   Json tree = read(false);
   for (const auto& [name, value] : tree.items())
     if (name.ends_with('#')) names.push_back(name.substr(0, name.size() - 1));
-  // A text in which all names come again is a list.
-  const std::size_t count = names.empty() ? 0 : tree[names.front() + "#"].size() + 1;
-  const bool isList =
-      names.size() > 1 && 2 * names.size() == tree.size() &&
-      std::all_of(names.begin(), names.end(), [&](const auto& name) { return tree[name + "#"].size() + 1 == count; });
-  if (isList) {
+  // A text in which names come again together is a list: those that come once in a round do so in each, and those that
+  // stand once in the text are of all.
+  std::size_t rounds = names.size() > 1 ? SIZE_MAX : 0;
+  for (const std::string& name : names) rounds = std::min(rounds, tree[name + "#"].size() + 1);
+  const auto isEven = [&](const std::string& name) { return (tree[name + "#"].size() + 1) % rounds == 0; };
+  Json shared = Json::object();
+  for (const auto& [name, value] : tree.items())
+    if (rounds > 0 && !name.ends_with('#') && !tree.contains(name + "#")) shared[name] = value;
+  constexpr std::size_t kMostCopied = 1 << 20;
+  if (rounds > 0 && std::all_of(names.begin(), names.end(), isEven) &&
+      rounds * shared.dump(-1, ' ', false, Json::error_handler_t::replace).size() <= kMostCopied) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < count; ++i)
-      for (const std::string& name : names) list[i][name] = std::move(i > 0 ? tree[name + "#"][i - 1] : tree[name]);
+    for (std::size_t i = 0; i < rounds; ++i) {
+      list.push_back(shared);
+      for (const std::string& name : names) {
+        const std::size_t each = (tree[name + "#"].size() + 1) / rounds;
+        const auto valueAt = [&](std::size_t k) { return k > 0 ? tree[name + "#"][k - 1] : tree[name]; };
+        list[i][name] = valueAt(i * each);
+        for (std::size_t k = 1; k < each; ++k) list[i][name + "#"].push_back(valueAt(i * each + k));
+      }
+    }
     tree = std::move(list);
   }
   if (names.size() < kLeast) return tree;
