@@ -67,7 +67,7 @@ void CameraOptions::add(CLI::App& app) {
     else
       viewport_ = readSize(option, text);
   };
-  addOption(app, "--viewport", "WxH|P%", readViewport, "Size; other programs' pictures are resized to it; 50%: any");
+  addOption(app, "--viewport", "WxH|P%", readViewport, "Size; other programs' files are resized, by 50% any");
   addOption(app, "--geoid", "N|FILE", setGeoid, "Sea level above the ellipsoid: metres, or a .pgm");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
