@@ -109,6 +109,12 @@ std::optional<PosesOfFile> namedPose(const Document& file, const std::string& fi
     else if (first != "position")
       direction = first;
   }
+  // A place is the translation of what takes the camera to the world.
+  for (Part& part : parts)
+    if (part.name == "position") {
+      if (direction != "worldFromCamera") return std::nullopt;
+      part.name = "worldFromCamera.translation";
+    }
   return PosesOfFile{{camerasOfParts(Node(file), std::move(parts), {}, "")}, direction, true};
 }
 
