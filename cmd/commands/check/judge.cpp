@@ -414,6 +414,10 @@ class Search {
       e.rms = rmsOf(e.misses);
       e.evidence = 2 * n * std::log(before / (kLess * e.rms)) - std::log(rows_.size());
       if (!(e.evidence > kThreshold && growthOf(h) * e.rms <= 1 && before <= kMuchLess * e.rms)) continue;
+      const auto leavesLess = [&](const Explanation& other) {
+        return other.evidence > kThreshold && kLess * other.rms < e.rms;
+      };
+      if (std::any_of(found_.begin(), found_.end(), leavesLess)) continue;  // it leaves more than noise
       for (const Vec2& miss : e.misses) e.largest = std::max(e.largest, length(miss));
       found_.push_back(std::move(e));
     }

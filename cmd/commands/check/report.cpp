@@ -195,6 +195,15 @@ std::size_t PairReport::records() const { return all_->records; }
 OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& others) const {
   const std::vector<Pair> judged = of.pairsWithPixel();
   std::vector<Explanation> found = explain(*of.file, judged, within_, isSet_), ofOthers;
+  // In place of few wrong lines a mistake needs evidence, and leaves none that is wrong.
+  if (const auto few = of.wrong(); few.othersAgree && !few.lines.empty())
+    std::erase_if(found, [&, left = of](const Explanation& e) mutable {
+      if (!(e.evidence > kThreshold)) return true;
+      left.pairs = judged;
+      for (std::size_t i = 0; i < judged.size(); ++i) left.pairs[i].miss = e.misses[i];
+      const auto [agree, lines] = left.wrong();
+      return !agree || !lines.empty();
+    });
   // A mistake without a number is simpler than another camera.
   if (others && (found.empty() || found[0].hypothesis.parameters > 0 || found[0].largest > within_))
     for (const auto& [pick, file] : others()) {
@@ -276,7 +285,7 @@ OrderedJson PairReport::explanations(const CheckedCamera& of, const Others& othe
 OrderedJson PairReport::report(const Others& others) const {
   OrderedJson cameras = OrderedJson::array(), list = OrderedJson::array();
   std::vector<std::size_t> wrong;
-  std::vector<const CheckedCamera*> open, noisy;  // that disagree: by more than a few pairs, or by noise
+  std::vector<const CheckedCamera*> open, noisy, few;  // that disagree: by many pairs, by noise, by few pairs
   std::size_t noPixel = 0, judged = isSet_ ? 0 : cameras_.at(0)->pairsWithPixel().size();
   bool agrees = true;
   for (const auto& [place, camera] : cameras_) {
@@ -291,9 +300,10 @@ OrderedJson PairReport::report(const Others& others) const {
     const std::vector<Pair> pairs = camera->pairsWithPixel();
     const bool agree =
         std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return length(p.miss) <= within_; });
-    if ((lines.empty() || !othersAgree) && !agree) (othersAgree ? noisy : open).push_back(camera.get());
+    if (!agree) (!othersAgree ? open : lines.empty() ? noisy : few).push_back(camera.get());
   }
-  if (open.empty()) open = noisy;
+  for (const auto& next : {noisy, few})
+    if (open.empty()) open = next;
   std::sort(wrong.begin(), wrong.end());
   std::stable_sort(open.begin(), open.end(), [](const auto* a, const auto* b) { return a->rms() < b->rms(); });
   if (!open.empty()) {  // sought for the one in the middle, and tried on all
