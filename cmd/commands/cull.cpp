@@ -62,8 +62,11 @@ int run(const Options& o) {
   const RecordCameras cameras =
       o.cameras.read(o.camera, setup, [](const CameraFile& file) { requireStraightEdges(file, "cull"); });
   o.stream.settleOnEarth(setup, cameras.worldIsEcef());
-  const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = cameras.worldIsEcef(), .shapes = true, .radius = true};
+  const PointReading reading{.columns = setup.columns,
+                             .worldIsEcef = cameras.worldIsEcef(),
+                             .shapes = true,
+                             .radius = true,
+                             .besideCamera = cameras.areInRecords()};
   setup.arrayName = "position";
   setup.areWords = true;
   return runFilter(setup, cameras, [&](OutputForm) { return std::make_unique<Culler>(reading); });

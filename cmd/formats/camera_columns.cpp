@@ -21,6 +21,7 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::string_view kLens = "lens.";  // before a coefficient, as the place of a column
+constexpr std::string_view kDistortion = "distortion";
 constexpr std::string_view kLensNumbers = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
 
 /// Names that count where all of them are there, by their letters and digits, or as they are where they have a _.
@@ -30,12 +31,11 @@ struct Family {
 };
 constexpr std::string_view kPlace = "position.x position.y position.z", kSize = "viewport.width viewport.height",
                            kTranslation = "tx ty tz";
-constexpr Family kFamilies[] = {{"x0 y0 z0", kPlace},         {"px py pz", kPlace},
-                                {"c_x c_y c_z", kPlace},      {"camx camy camz", kPlace},
-                                {"posx posy posz", kPlace},   {kTranslation, kPlace},
-                                {"easting northing", kPlace}, {"width height", kSize, false},
-                                {"w h", kSize, false},        {"imagewidth imageheight", kSize},
-                                {"imgwidth imgheight", kSize}};
+constexpr Family kFamilies[] = {
+    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},   {"c_x c_y c_z", kPlace},
+    {"posx posy posz", kPlace},     {kTranslation, kPlace}, {"easting northing", kPlace},
+    {"width height", kSize, false}, {"w h", kSize, false},  {"imagewidth imageheight", kSize},
+    {"imgwidth imgheight", kSize}};
 /// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
 /// across or up. Each with its columns.
 constexpr std::string_view kF = "projection.f", kF35 = "projection.f35", kFov = "projection.fov";
@@ -46,21 +46,24 @@ constexpr std::string_view kOthers[][2] = {
 /// What says the lens otherwise than in pixels, by another name than its own.
 constexpr std::string_view kBesidePixels = "f focal focalpx focallengthpx hfov vfov dfov";
 
+/// "x" of "camera_x" and "camX"; a column that is ours with its front stays whole.
+std::string_view bareName(std::string_view column) {
+  for (const std::string_view front : {"camera", "cam"}) {
+    if (!sameButForCase(column.substr(0, front.size()), front) || !pathOfColumn(column, true).empty()) continue;
+    std::string_view rest = column.substr(front.size());
+    while (!rest.empty() && lettersOf(rest.substr(0, 1)).empty()) rest.remove_prefix(1);
+    return rest.empty() ? column : rest;
+  }
+  return column;
+}
+
 /// "k1" of "k1" and "distortion.k1"; empty for a column of something else.
 std::string_view coefficientOf(std::string_view column) {
-  constexpr std::string_view kFront = "distortion";
   std::string letters = lettersOf(column);
-  if (letters.starts_with(kFront)) letters.erase(0, kFront.size());
+  if (letters.starts_with(kDistortion)) letters.erase(0, kDistortion.size());
   for (const std::string_view name : wordsIn(kLensNumbers))
     if (name == letters) return name;
   return "";
-}
-
-/// The cell of a column, whose name counts in any letter case.
-std::optional<Node> cellAt(const Node& row, std::string_view name) {
-  for (const auto& [column, cell] : row.json().items())
-    if (sameButForCase(column, name)) return row.find(column);
-  return std::nullopt;
 }
 
 bool isEmpty(const Json& cell) {
@@ -71,11 +74,12 @@ constexpr std::string_view kPyr[] = {"pitch", "yaw", "roll"};
 
 /// The columns of a row's turns, where they are no heading: their order, and their names as it lists them. The yaw of a
 /// robot turns the other way than that of a compass.
-std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const Node& row, bool isOpk,
+std::optional<std::pair<std::string, std::span<const std::string_view>>> turnsOf(const CameraColumns& columns,
+                                                                                 const Node& row, bool isOpk,
                                                                                  bool isCompass) {
   if (isOpk) return {{"opk", kOpk}};
-  const auto yaw = cellAt(row, "yaw"), order = cellAt(row, "order");
-  if (!yaw || isCompass || cellAt(row, "heading")) return std::nullopt;
+  const auto yaw = columns.cellAt(row, "yaw"), order = columns.cellAt(row, "order");
+  if (!yaw || isCompass || columns.cellAt(row, "heading")) return std::nullopt;
   const std::string name = order ? order->text() : "";
   if (name == "heading") return std::nullopt;
   if (name == "unreal") return {{name, kPyr}};
@@ -103,23 +107,31 @@ Json cellValue(const Node& cell, const std::string& path) {
 }  // namespace
 
 CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) {
+  for (const auto& [column, cell] : columns.items()) names_[column] = bareName(column);
   const auto anyIs = [&](const auto& is) {
-    return std::any_of(columns.items().begin(), columns.items().end(),
-                       [&](const auto& column) { return is(column.key()); });
+    return std::any_of(names_.begin(), names_.end(), [&](const auto& name) { return is(name.second); });
   };
-  onEarth_ = anyIs([](const std::string& name) { return pathOfColumn(name, true) == "position.lat"; });
-  onMap_ = anyIs([](const std::string& name) { return lettersOf(name) == "easting"; });
+  const auto isNamed = [](std::string_view column, std::string_view names) {
+    return isAmong(lettersOf(column), names);
+  };
+  const bool hasBox = isRecord && std::any_of(names_.begin(), names_.end(),
+                                              [&](const auto& name) { return isNamed(name.first, "width w"); });
+  const auto isOfBox = [&](std::string_view column) { return hasBox && isNamed(column, "height h"); };
+  onEarth_ = anyIs([](std::string_view name) { return pathOfColumn(name, true) == "position.lat"; });
+  onMap_ = anyIs([](std::string_view name) { return lettersOf(name) == "easting"; });
   hasNorth_ = hasNorth || onEarth_ || onMap_;
-  isRobots_ = !hasNorth_ && anyIs([](const std::string& name) { return sameButForCase(name, "yaw"); });
+  isRobots_ = !hasNorth_ && anyIs([](std::string_view name) { return sameButForCase(name, "yaw"); });
   isOpk_ = std::all_of(std::begin(kOpk), std::end(kOpk), [&](std::string_view turn) {
-    return anyIs([&](const std::string& name) { return sameButForCase(name, turn); });
+    return anyIs([&](std::string_view name) { return sameButForCase(name, turn); });
   });
   for (const auto& [column, cell] : columns.items()) {
-    const std::string letters = lettersOf(column);
     std::string& path = paths_[column];
-    const std::string_view coefficient = coefficientOf(column);
+    if (isOfBox(column)) continue;
+    const std::string& name = nameOf(column);
+    const std::string_view coefficient = coefficientOf(name);
+    const std::string letters = lettersOf(name);
     path = isAmong(letters, "distortionmodel model cameramodel") ? "distortion.model"
-           : coefficient.empty()                                 ? pathOfColumn(column, onEarth_)
+           : coefficient.empty()                                 ? pathOfColumn(name, onEarth_)
                                                                  : std::string(kLens) + std::string(coefficient);
     for (const auto& [other, names] : kOthers)
       if (isAmong(letters, names)) path = other;
@@ -128,23 +140,25 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
     std::vector<std::string_view> found;
     for (const std::string_view name : wordsIn(names))
       for (const auto& [column, path] : paths_)
-        if (sameButForCase(column, name) || lettersOf(column) == name) {
+        if (sameButForCase(nameOf(column), name) || lettersOf(nameOf(column)) == name) {
           found.push_back(column);
           break;
         }
     const std::vector<std::string_view> all = wordsIn(ofNames);
-    const bool isOther = (ofNames == kPlace && has("position")) || (isRecord && !isClear);
+    const bool isBare = std::any_of(found.begin(), found.end(), [&](auto column) { return nameOf(column) == column; });
+    const bool isOther = (ofNames == kPlace && has("position")) || (isRecord && !isClear && isBare);
     if (found.size() != wordsIn(names).size() || isOther) continue;
     for (std::size_t i = 0; i < found.size(); ++i) paths_.find(found[i])->second = all[i];
     hasTranslation_ = hasTranslation_ || names == kTranslation;
   }
   for (auto& [column, path] : paths_) {
-    const bool isHeight = path.empty() && (isSeaLevelName(column) || sameButForCase(column, "height"));
+    const std::string& name = nameOf(column);
+    const bool isHeight = path.empty() && !isOfBox(column) && (isSeaLevelName(name) || sameButForCase(name, "height"));
     if (isHeight && isPath("position.x") && !isPath("position.z")) path = "position.z";
-    if (path.empty() && !isRecord && isAmong(lettersOf(column), "width height")) path = "viewport." + lettersOf(column);
+    if (path.empty() && !isRecord && isNamed(name, "width height")) path = "viewport." + lettersOf(name);
     // What says the lens in pixels counts before what says it otherwise.
-    if ((path == kF35 || isAmong(lettersOf(column), kBesidePixels)) && isPath("projection.fx")) path = "";
-    if (path == "position.height" && isSeaLevelName(column)) notes_.push_back(seaLevelNote(column));
+    if ((path == kF35 || isNamed(name, kBesidePixels)) && isPath("projection.fx")) path = "";
+    if (path == "position.height" && isSeaLevelName(name)) notes_.push_back(seaLevelNote(column));
   }
   isPerspective_ = std::any_of(paths_.begin(), paths_.end(), [](const auto& column) {
     const auto* const field = findField(column.second);
@@ -158,8 +172,14 @@ bool CameraColumns::isPath(std::string_view path) const {
   return std::any_of(paths_.begin(), paths_.end(), [&](const auto& column) { return column.second == path; });
 }
 
+std::optional<Node> CameraColumns::cellAt(const Node& row, std::string_view name) const {
+  for (const auto& [column, cell] : row.json().items())
+    if (sameButForCase(nameOf(column), name)) return row.find(column);
+  return std::nullopt;
+}
+
 bool CameraColumns::reads(const std::string& column) const {
-  const std::string letters = lettersOf(column);
+  const std::string letters = lettersOf(nameOf(column));
   return !pathOf(column).empty() || (isOpk_ && isAmong(letters, "phi kappa")) || (isRobots_ && letters == "order");
 }
 
@@ -180,8 +200,11 @@ bool CameraColumns::lacksAxes() const {
 
 Json CameraColumns::documentOf(const Node& row) const {
   Json fields = Json::object();
-  const auto turns = turnsOf(row, isOpk_, hasNorth_);
-  std::vector<Json> degrees(3, 0);
+  const auto turns = turnsOf(*this, row, isOpk_, hasNorth_);
+  std::vector<Json> degrees(3);
+  const auto requireFirst = [](bool isFirst, const Node& cell) {
+    if (!isFirst) cell.fail("is said by another column too; keep one");
+  };
   const auto putTurn = [&](std::string_view column, const Node& cell) {
     if (sameButForCase(column, "order")) {
       cell.mark();
@@ -191,21 +214,29 @@ Json CameraColumns::documentOf(const Node& row) const {
     const auto at = std::find_if(turns->second.begin(), turns->second.end(),
                                  [&](std::string_view name) { return sameButForCase(name, column); });
     if (at == turns->second.end()) return false;
-    degrees[static_cast<std::size_t>(at - turns->second.begin())] = numberOf(cell);
+    Json& turn = degrees[static_cast<std::size_t>(at - turns->second.begin())];
+    requireFirst(turn.is_null(), cell);
+    turn = numberOf(cell);
     return true;
   };
   NamedNumbers coefficients;
   std::string model;
   for (const auto& [column, cell] : row.json().items()) {
+    const std::string& path = pathOf(column);
+    if (path == kDistortion && cell.is_null()) fields[path] = cell;
     if (isEmpty(cell)) continue;
     const Node node = *row.find(column);
-    if (putTurn(column, node)) continue;
-    const std::string& path = pathOf(column);
+    const std::string& name = nameOf(column);
+    if (putTurn(name, node)) continue;
     if (path.starts_with(kLens)) {
-      coefficients.emplace_back(path.substr(kLens.size()), numberOf(node));
+      const std::string coefficient = path.substr(kLens.size());
+      requireFirst(std::none_of(coefficients.begin(), coefficients.end(),
+                                [&](const auto& other) { return other.first == coefficient; }),
+                   node);
+      coefficients.emplace_back(coefficient, numberOf(node));
       continue;
     }
-    const std::string letters = lettersOf(column);
+    const std::string letters = lettersOf(name);
     if (isAmong(letters, "width height") && path.starts_with("viewport") && !isPerspective_)
       node.fail("may be the picture's or the window's: call it viewport." + letters + " or projection." + letters +
                 "; no column is an angle of view or a focal length, as fovX or fx");
@@ -215,12 +246,13 @@ Json CameraColumns::documentOf(const Node& row) const {
     if (path.empty()) continue;
     node.mark();
     if (path == "distortion.model") {
+      requireFirst(model.empty(), node);
       model = node.text();
       continue;
     }
     const auto whole = fields.find(path.substr(0, path.find('.')));
     const bool isWhole = whole != fields.end() && path.find('.') != path.npos && !whole->is_object();
-    if (isWhole || !placeAt(fields, path).is_null()) node.fail("is said by another column too; keep one");
+    requireFirst(!isWhole && placeAt(fields, path).is_null(), node);
     placeAt(fields, path) = cellValue(node, path);
   }
   const auto take = [&](std::string_view path) {
@@ -239,11 +271,15 @@ Json CameraColumns::documentOf(const Node& row) const {
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
   if (turns && turns->first == "unreal") fields.emplace("convention", "unreal");
+  std::replace(degrees.begin(), degrees.end(), Json(), Json(0));
   if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};
   Document camera{row.document().name + (row.path().empty() ? "" : ": " + row.path()),
                   std::make_shared<Json>(Json::object())};
   layOver(camera, fields);
-  if (!model.empty() || !coefficients.empty()) setLens(*camera.root, row, model, coefficients);
+  const bool statesLens = !model.empty() || !coefficients.empty();
+  if (statesLens) setLens(*camera.root, row, model, coefficients);
+  // Null takes the lens of what it is laid over.
+  if (statesLens || fields.contains(kDistortion)) camera.root->emplace(kDistortion, nullptr);
   return std::move(*camera.root);
 }
 

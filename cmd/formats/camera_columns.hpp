@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,10 @@ class CameraColumns {
 
   /// Where a column stands in our document, or empty: a field's path, or one of our own for what is computed.
   const std::string& pathOf(const std::string& column) const { return paths_.find(column)->second; }
+  /// A column's name without what says that it is the camera's.
+  const std::string& nameOf(std::string_view column) const { return names_.find(column)->second; }
+  /// The cell of a row's column with this name, in any letter case.
+  std::optional<Node> cellAt(const Node& row, std::string_view name) const;
   bool reads(const std::string& column) const;
   /// Whether a column is this field, or a part of it.
   bool has(std::string_view field) const;
@@ -38,7 +43,7 @@ class CameraColumns {
  private:
   bool isPath(std::string_view path) const;
 
-  std::map<std::string, std::string, std::less<>> paths_;
+  std::map<std::string, std::string, std::less<>> paths_, names_;
   std::vector<std::string> notes_;
   bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false,
        isRobots_ = false;  ///< isRobots: yaw is no heading

@@ -445,10 +445,11 @@ class Unread {
 }  // namespace
 
 bool mayBeOfCamera(std::string_view name) {
-  constexpr std::string_view kTurnsAndAngles = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal";
+  constexpr std::string_view kTurnsAndAngles = "roll pitch yaw heading azimuth pan tilt hfov vfov fov focal",
+                             kOfCameras = "cam camera intrinsic intrinsics principal origin";
   return name.size() > 1 && !hasWord(name, kNoise) && !fitsAny(name, kSaysNothing) &&
          (isAmong(withoutUnits(name), kPoseNumbers) || isCoefficient(name) || hasWord(name, kTurnsAndAngles) ||
-          hasWord(name, kLensWords) || hasWord(name, kPoseWords));
+          hasWord(name, kLensWords) || hasWord(name, kPoseWords) || hasWord(name, kOfCameras));
 }
 
 Import judged(const std::shared_ptr<Document>& file, Import cameras, std::string_view known) {

@@ -49,8 +49,9 @@ struct Coordinate {
   std::string_view help;
   unsigned kind = 0;
   std::span<const CoordinatePart> parts = {};
-  bool orNull = false;   ///< null, or all cells empty, means no value
-  Aliases aliases = {};  ///< for arrays; a JSON field with an alias counts only if its value is a point
+  bool orNull = false;      ///< null, or all cells empty, means no value
+  Aliases aliases = {};     ///< for arrays; a JSON field with an alias counts only if its value is a point
+  bool isNameFirst = true;  ///< its name is preferred to its aliases; otherwise both are an error
 
   std::span<const CoordinatePart> required() const { return parts.first(fewest); }
 };

@@ -78,23 +78,23 @@ std::optional<NumberPlan> findColumns(const Coordinate& row, const RecordView& r
     auto plan = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
     if (plan && found) throw hasBoth(0, namesIn(*found, *record.schema), namesIn(*plan, *record.schema), true);
     if (plan) found = std::move(plan);
-    if (found && &names == &spellings[0]) break;  // the row's name is preferred to its aliases
+    if (found && row.isNameFirst && &names == &spellings[0]) break;
   }
   return found;
 }
 
-/// A JSON field with the row's name or alias. An array with the row's name counts whatever its value is; a shape, or an
-/// alias, only if its value has the right form, which is then a condition.
+/// A JSON field with the row's name or alias. An array with the row's name counts whatever its value
+/// is; a shape, or an alias, only if its value has the right form, which is then a condition.
 std::optional<NumberPlan> findField(const Coordinate& row, const RecordView& record, Conditions& conditions) {
   const auto& names = record.schema->names;
   const CoordinatePart rowName{row.name}, rowOrAlias{row.name, 1, row.aliases};
   const bool isArray = row.form == CoordinateForm::array;
-  const bool hasRowName =
-      std::any_of(names.begin(), names.end(), [&](const auto& name) { return hasName(name, rowName); });
+  const bool isByName = row.isNameFirst && std::any_of(names.begin(), names.end(),
+                                                       [&](const auto& name) { return hasName(name, rowName); });
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!isNamed(names[i], hasRowName ? rowName : rowOrAlias)) continue;
-    if (!isArray || !hasRowName) {
+    if (!isNamed(names[i], isByName ? rowName : rowOrAlias)) continue;
+    if (!isArray || !hasName(names[i], rowName)) {
       Condition condition{i, row.form == CoordinateForm::object ? '{' : isArray ? Condition::kPoint : '['};
       condition.is = condition.holds(record.values[i]);
       conditions.push_back(condition);
@@ -210,8 +210,11 @@ std::optional<Found> findOne(const RecordView& record, const PointReading& readi
   std::vector<Found> all;
   for (const auto& rows : {std::span<const Coordinate* const>(coordinates::kPoints), {coordinates::kShapes}})
     for (const Coordinate* row : rows)
-      if (row != &coordinates::direction)
-        if (auto plan = find(*row, record, conditions)) all.push_back({row, std::move(*plan)});
+      if (row != &coordinates::direction) {
+        Coordinate read = *row;
+        read.isNameFirst = !reading.besideCamera;
+        if (auto plan = find(read, record, conditions)) all.push_back({row, std::move(*plan)});
+      }
   if (auto plan = find(coordinates::segment, record, conditions))
     all.push_back({&coordinates::segment, std::move(*plan)});
   if (!reading.worldIsEcef && all.size() > 1)

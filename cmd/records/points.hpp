@@ -15,9 +15,10 @@ struct PointReading {
   ColumnChoice columns = {};
   bool worldIsEcef = false;
   bool segments = false;
-  bool shapes = false;    ///< also spheres, boxes and triangles
-  bool radius = false;    ///< a point with a radius is a sphere
-  bool polygons = false;  ///< the caller reads them: messages name them
+  bool shapes = false;        ///< also spheres, boxes and triangles
+  bool radius = false;        ///< a point with a radius is a sphere
+  bool besideCamera = false;  ///< position may be the record's camera's, and is not preferred to its other names
+  bool polygons = false;      ///< the caller reads them: messages name them
 };
 
 /// Finds the point or shape of a record: [x,y,z] or [x,y,z,w]; a row of coordinates::kPoints, segment or kShapes in an

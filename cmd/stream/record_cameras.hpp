@@ -72,6 +72,8 @@ class RecordCameras {
   std::vector<std::string> notes() const;
   /// Whether all of them have Earth-centred coordinates; those that differ are errors.
   bool worldIsEcef() const { return worldIsEcef_; }
+  /// Whether each record says its own.
+  bool areInRecords() const { return setup_.choice == CameraChoice::own; }
   /// The camera of all records, or null.
   const RecordCamera* only() const { return setup_.choice == CameraChoice::one ? all_.front() : nullptr; }
 
