@@ -120,7 +120,8 @@ int runCheck(const CheckOptions& o) {
     const Vec4 point = toPoint(plan, numbers);
     const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
     if (!o.cameraBy) return all.add(point, pixel, line);
-    const std::size_t which = cameraNamed(cameras, isPicked, record, cameraFieldOf(*o.cameraBy, record));
+    const std::size_t field = cameraFieldOf(*o.cameraBy, record);
+    const std::size_t which = cameraNamed(cameras, isPicked, record, field, cameraNameAt(record, field));
     all.add(point, pixel, line, which, [&] {
       CameraFile each = o.camera.readOne(cameras, which);
       if (each.worldIsEcef != file.worldIsEcef)

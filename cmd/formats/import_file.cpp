@@ -109,9 +109,10 @@ std::string filesNamedBy(const Document& file) {
   std::vector<std::string> names;
   const std::filesystem::path folder = pathOf(file.name).parent_path();
   std::error_code ignored;
+  if (!file.root->is_object()) return "";
   for (const Json& value : *file.root) {
     const std::string name = value.is_string() ? value.get<std::string>() : "";
-    if (file.root->is_object() && name.find('.') != std::string::npos && name.size() < 256 &&
+    if (name.find('.') != std::string::npos && name.size() < 256 &&
         std::filesystem::is_regular_file(folder / pathOf(name), ignored))
       names.push_back(name);
   }
@@ -159,7 +160,7 @@ void requireOwnMembers(const Document& file) {
 
 }  // namespace
 
-[[noreturn]] void failPreset(const std::string& name, std::string_view form) {
+void failPreset(const std::string& name, std::string_view form) {
   throw InputError(name + ": is " + std::string(form) + ", which has a convention of its own; leave out --read-as");
 }
 

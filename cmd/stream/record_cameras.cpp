@@ -188,8 +188,7 @@ RecordCameraFields RecordCameras::locate(const RecordView& record, const NumberP
 }
 
 std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPicked, const RecordView& record,
-                        std::size_t field) {
-  const std::string name = cameraNameAt(record, field);
+                        std::size_t field, std::string_view name) {
   const auto which = cameras.find(name);
   if (which && isPicked[*which]) return *which;
   const std::string label = record.schema->isArray ? "" : visible(record.schema->names[field]) + ": ";
@@ -199,8 +198,9 @@ std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPic
                                                 ", or several are; viewproj info lists them"));
 }
 
-const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::size_t field) const {
-  const std::size_t which = cmd::cameraNamed(*setup_.cameras, isPicked_, record, field);
+const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::size_t field,
+                                               std::string_view name) const {
+  const std::size_t which = cmd::cameraNamed(*setup_.cameras, isPicked_, record, field, name);
   try {
     return cameraOf(which);
   } catch (const InputError& e) {
@@ -247,7 +247,7 @@ std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& reco
   if (!last_ || text_ != lastText_) {
     last_ = nullptr;
     if (choice == CameraChoice::named)
-      last_ = &cameras_.cameraNamed(record, of.fields.front());
+      last_ = &cameras_.cameraNamed(record, of.fields.front(), text_);
     else
       last_ = &own_.emplace_back(cameras_.ownCamera(record, of));
     lastText_ = text_;

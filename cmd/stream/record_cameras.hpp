@@ -43,9 +43,10 @@ struct RecordCameraFields {
 std::size_t cameraFieldOf(const std::string& name, const RecordView& record, const char* option = "--camera-by");
 /// The camera that a record names in this field; empty where the value is no name.
 std::string cameraNameAt(const RecordView& record, std::size_t field);
-/// The camera of the set that it names, among those that are picked. Throws RecordError.
+/// The camera of the set with this name, which a record has in the field, among those that are picked. Throws
+/// RecordError.
 std::size_t cameraNamed(const CameraSet& cameras, const std::vector<bool>& isPicked, const RecordView& record,
-                        std::size_t field);
+                        std::size_t field, std::string_view name);
 
 enum class CameraChoice : unsigned char { one, named, own, each };
 
@@ -93,7 +94,7 @@ class RecordCameras {
   void requireWorld(const CameraFile& file) const;
   /// Made when it is first used, and kept. Throws InputError.
   const RecordCamera& cameraOf(std::size_t which) const;
-  const RecordCamera& cameraNamed(const RecordView& record, std::size_t field) const;
+  const RecordCamera& cameraNamed(const RecordView& record, std::size_t field, std::string_view name) const;
   RecordCamera ownCamera(const RecordView& record, const RecordCameraFields& of) const;
 
   Setup setup_;
