@@ -30,6 +30,9 @@ std::optional<double> numberIn(std::string_view word) {
   return isNegative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
+/// A name of the text: none ends with #, under which the other values of a name are kept.
+std::string nameIn(std::string_view word) { return std::string(word.substr(0, word.find_last_not_of('#') + 1)); }
+
 /// The parts between any of the separators, without empty ones.
 std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> parts;
@@ -65,7 +68,7 @@ class TextReader {
         bare.find(']') == bare.size() - 1) {
       close();
       key_.clear();
-      Json& box = root_[std::string(bare.substr(1, bare.size() - 2))];
+      Json& box = root_[nameIn(bare.substr(1, bare.size() - 2))];
       if (!box.is_object()) box = Json::object();
       box_ = &box;
       return;
@@ -269,12 +272,13 @@ class TextReader {
   }
 
   /// pose.position is a member of pose. Of one name several values are a list beside the first.
-  static void put(Json& box, const std::string& name, Json value) {
+  static void put(Json& box, std::string_view word, Json value) {
+    const std::string name = nameIn(word);
     const std::size_t dot = name.find('.');
     constexpr std::size_t kLongest = 200;  // of a name that has members
     if (name.size() < kLongest && !isPicture(name) && dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
         isLetter(name[dot + 1])) {
-      Json& inner = box[name.substr(0, dot)];
+      Json& inner = box[nameIn(name.substr(0, dot))];
       if (inner.is_null()) inner = Json::object();
       if (inner.is_object()) return put(inner, name.substr(dot + 1), std::move(value));
     }
