@@ -319,7 +319,7 @@ std::vector<Patch> viewportPatches(double width, double height) {
 // cppcheck-suppress constParameter  // what it points to changes
 void resizePicture(Document& document, double factor) {
   const FieldValues values = readValues(document);
-  const auto picture = readPicture(values, readConvention(values), true);
+  const auto picture = readPicture(values, readConvention(values));
   const std::string percent = "--viewport " + formatNumber(100 * factor) + "%";
   const std::string advice = "; --viewport WIDTHxHEIGHT gives one";
   if (!picture) throw InputError(document.name + ": has no viewport, of which " + percent + " is a part" + advice);
@@ -361,6 +361,12 @@ void applyPatches(Document& document, const std::vector<Patch>& patches) {
   std::vector<Patch> options;
   std::copy_if(patches.begin(), patches.end(), std::back_inserter(options),
                [](const Patch& patch) { return patch.isOption; });
+  for (const Patch& set : patches)
+    for (const Patch& option : options)
+      if (!set.isOption && option.path.starts_with(set.path + ".") &&
+          !valueAt(*set.value, option.path.substr(set.path.size() + 1)))
+        throw UsageError(option.label + ": is lost, since " + set.label + " replaces all of " + set.path +
+                         "; give --set " + option.path + "=VALUE behind it");
   applyTogether(document, options);
   for (const Patch& patch : patches)
     if (!patch.isOption) applyTogether(document, std::span(&patch, 1));

@@ -123,7 +123,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
     const Vec3 eye = file.pose->eye(), at = target->point;
     file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
   }
-  const auto picture = readPicture(values, stated, reading.needsPicture);
+  const auto picture = readPicture(values, stated, reading);
   file.projection = readProjection(values, stated, picture, reading);
   file.notes = radiansNotes(values);
   if (const std::string rounding = file.pose ? roundingNote(values, *file.pose) : ""; !rounding.empty())

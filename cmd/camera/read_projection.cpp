@@ -188,15 +188,21 @@ std::uint8_t typeOf(const FieldValues& values) {
 }
 
 std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention,
-                                        bool needsPicture) {
+                                        const ReadOptions& options) {
   const bool isStated = valueAt(*values.document().root, "viewport") != nullptr;
   const auto* const pixels = values.find<Vec2>("projection.pixels");
+  const bool mayBeAny = options.raysAlone && typeOf(values) == kIntrinsics && values.has("projection.cx") &&
+                        values.has("projection.cy") && !values.has("viewport.width") && !values.has("viewport.height");
+  const auto side = [&](FieldId field, FieldId center) {
+    if (mayBeAny) return std::max(1.0, 2 * values.require<double>(center));
+    return options.needsPicture ? values.require<double>(field) : 1;
+  };
   std::optional<PictureFrame> picture;
-  if (isStated || pixels) {
+  if (isStated || pixels || mayBeAny) {
     picture.emplace();
     Viewport& v = picture->frame;
-    v.width = pixels ? pixels->x : needsPicture ? values.require<double>("viewport.width") : 1;
-    v.height = pixels ? pixels->y : needsPicture ? values.require<double>("viewport.height") : 1;
+    v.width = pixels ? pixels->x : side("viewport.width", "projection.cx");
+    v.height = pixels ? pixels->y : side("viewport.height", "projection.cy");
     v.pixelCenter = convention.preset->pixelCenter;
     read(values, "viewport.width", v.width);
     read(values, "viewport.height", v.height);

@@ -20,6 +20,7 @@ struct ReadOptions {
   bool ignoreDistortion = false;
   bool needsPicture = true;  ///< false: of a picture without a size, near, far and depths alone are right
   BoxLack boxMayLack = BoxLack::nothing;
+  bool raysAlone = false;  ///< of pixels: fx, fy, cx and cy need no size for them
 };
 
 /// A picture, and the tile of it that the camera has.
@@ -35,7 +36,7 @@ std::uint8_t typeOf(const FieldValues& values);
 
 /// The viewport, or else the size of `pixels`; nothing without either.
 std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention,
-                                        bool needsPicture = true);
+                                        const ReadOptions& options = {});
 
 /// The frame as fx, fy, cx, cy count it: the picture of `pixels`, which has the same corners.
 Viewport pictureOfIntrinsics(const FieldValues& values, Viewport frame);

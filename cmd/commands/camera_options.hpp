@@ -38,6 +38,8 @@ class CameraOptions {
   void showMatrices() { showsMatrices_ = true; }
   /// For a command that moves the camera: options without a position are enough.
   void takeAnyPosition() { takesAnyPosition_ = true; }
+  /// For a command that asks for rays of pixels alone: see ReadOptions.
+  void readForRays() { readsForRays_ = true; }
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
@@ -51,7 +53,7 @@ class CameraOptions {
   std::vector<Picked> readFiles() const;
   /// How they are read.
   ReadOptions reading(bool needsPicture = true, BoxLack boxMayLack = BoxLack::nothing) const {
-    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack};
+    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack, readsForRays_};
   }
   CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true,
                      BoxLack boxMayLack = BoxLack::nothing) const;
@@ -96,7 +98,7 @@ class CameraOptions {
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true, readsDepth_ = false,
-       allowStretch_ = false, ignoreDistortion_ = false;
+       allowStretch_ = false, ignoreDistortion_ = false, readsForRays_ = false;
 };
 
 }  // namespace viewproj::cmd

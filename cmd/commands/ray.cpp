@@ -359,6 +359,7 @@ Action declareRay(CLI::App& app) {
   addValue(app, "--fields", "NAMES", o->fields, readFields,
            withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
   addModel(app, o->model, "Write results, but distances, in this model's coordinates");
+  o->camera.readForRays();
   o->camera.add(app);
   o->camera.addReversed(app);
   o->cameras.add(app, false);

@@ -17,6 +17,7 @@ class RecordCameraOptions {
   void add(CLI::App& app, bool canHide);
   /// --camera-by alone, which returns it; without it each record is seen through all cameras.
   CLI::Option* addNamed(CLI::App& app);
+  bool areNamed() const { return by_.has_value(); }
   /// The cameras, and what setup has to know of them. require: throws if a camera does not do. Throws UsageError.
   RecordCameras read(const CameraOptions& options, StreamSetup& setup,
                      std::function<void(const CameraFile&)> require) const;

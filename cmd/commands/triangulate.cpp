@@ -308,19 +308,26 @@ void Triangulator::write(const RecordView& record, std::span<const Sighting> sig
 /// Sightings by their points, in the order of these.
 class Points {
  public:
-  Points(Triangulator& triangulator, const std::string& field, bool isSorted)
+  /// field: of the point's name; without it all sightings are of one point, one of a camera.
+  Points(Triangulator& triangulator, const std::optional<std::string>& field, bool isSorted)
       : triangulator_(triangulator), field_(field), isSorted_(isSorted) {}
 
   void add(const RecordView& record, const std::optional<Sighting>& seen) {
-    const std::size_t field = cameraFieldOf(field_, record, "--by");
-    const bool isBinary = cmd::isBinary(record.schema->form);
-    std::string name = isBinary ? cameraNameAt(record, field) : std::string(record.values[field]);
+    const std::size_t field = field_ ? cameraFieldOf(*field_, record, "--by") : 0;
+    const bool isBinary = cmd::isBinary(record.schema->form), isJson = record.schema->form == Form::json;
+    std::string name = !field_    ? (isJson ? "null" : "")
+                       : isBinary ? cameraNameAt(record, field)
+                                  : std::string(record.values[field]);
     if (schema_.size == 0) {
-      const bool hasName = !record.schema->isArray && record.schema->hasHeader;
+      const bool hasName = field_ && !record.schema->isArray && record.schema->hasHeader;
       schema_ = {
           isBinary ? Form::text : record.schema->form, false, 1, {hasName ? record.schema->names[field] : "point"}};
       schema_.separator = record.schema->separator;
     }
+    for (const Sighting& other : sightings_)
+      if (!field_ && seen && other.eye == seen->eye)
+        throw RecordError(0, "is the second pixel of its camera, after line " + std::to_string(other.line) +
+                                 "; --by FIELD names the point of each");
     if (isSorted_ && !names_.empty() && *names_.front() != name) flush();
     const auto [found, isNew] = index_.try_emplace(std::move(name), names_.size());
     if (isNew) names_.push_back(&found->first);
@@ -349,7 +356,7 @@ class Points {
 
  private:
   Triangulator& triangulator_;
-  const std::string& field_;
+  const std::optional<std::string>& field_;
   bool isSorted_;
   Schema schema_;
   std::unordered_map<std::string, std::uint32_t> index_;
@@ -358,7 +365,8 @@ class Points {
 };
 
 int runTriangulate(const TriangulateOptions& o) {
-  StreamSetup setup = o.stream.setup(o.by ? kPixelAloneColumns : kTwoPixelsColumns);
+  const bool areNamed = o.cameras.areNamed();
+  StreamSetup setup = o.stream.setup(areNamed ? kPixelAloneColumns : kTwoPixelsColumns);
   o.stream.reads(setup);
   const RecordCameras cameras = o.cameras.read(o.camera, setup, [](const CameraFile&) {});
   setup.namesCameras = false;
@@ -366,14 +374,13 @@ int runTriangulate(const TriangulateOptions& o) {
   setup.arrayName = "pixels";
   CamerasOfBatch finder(cameras);
   Triangulator triangulator(o, setup, cameras.worldIsEcef());
-  static const std::string kNoField;
-  Points points(triangulator, o.by ? *o.by : kNoField, o.isSorted);
+  Points points(triangulator, o.by, o.isSorted);
   const auto locate = [&](const RecordView& record) {
-    return o.by ? findPixel(record, setup.columns) : findTwoPixels(record, setup.columns);
+    return areNamed ? findPixel(record, setup.columns) : findTwoPixels(record, setup.columns);
   };
   const auto use = [&](const NumberPlan& plan, const Numbers& n, const RecordView& record, std::size_t line) {
     const auto eyes = finder.find(record, cameras.locate(record, plan));
-    if (o.by) {
+    if (areNamed) {
       const auto pixel = toPixel(plan, n).screen;
       points.add(record, pixel ? std::optional(Sighting{triangulator.eyeOf(*eyes[0]), *pixel, line, 0}) : std::nullopt);
       return;
@@ -413,8 +420,8 @@ Action declareTriangulate(CLI::App& app) {
       "  printf 'point,camera,u,v\\na,0,400,200\\na,1,330,200\\n' |\n"
       "    viewproj triangulate -c \"$rig\" --camera-by camera --by point --to table");
   CLI::Option* const by = o->cameras.addNamed(app);
-  CLI::Option* const point = addValue(app, "--by", "FIELD", o->by, readText, "The field that names a record's point");
-  require(by, point);
+  CLI::Option* const point =
+      addValue(app, "--by", "FIELD", o->by, readText, "The field that names a point (default: one point)");
   require(point, by);
   require(addFlag(app, "--sorted", o->isSorted, "Records of a point stand together: memory stays flat"), point);
   addFlag(app, "--robust", o->isRobust, "Leave out the pixel that the others contradict");
@@ -429,6 +436,7 @@ Action declareTriangulate(CLI::App& app) {
       "Add the miss of each pixel, given minus computed");
   o->stream.add(app, "pixels");
   removeOption(app, "--jobs");
+  o->camera.readForRays();
   o->camera.add(app);
   return [o] { return runTriangulate(*o); };
 }
