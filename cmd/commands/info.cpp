@@ -348,6 +348,8 @@ int runCamera(const InfoOptions& o) {
   OrderedJson info = infoReport(file, cameras->nameOf(which), distances);
   if (o.angles) info["angles"] = anglesOf(*o.angles, readValues(file.document), *file.preset, file.pose);
   if (o.height.isTyped()) info["horizon"] = horizonOf(file, o.height);
+  if (o.height.isTyped() && !file.worldIsEcef && !info["horizon"].is_null())
+    note("the horizon is of a flat world; with lat, lon in place of x, y it is the Earth's");
   if (info["heading"].is_number())  // not 360, also where digits are left out
     info["heading"] = std::fmod(toDigits(info["heading"].get<double>(), static_cast<int>(o.report.digits())), 360);
   o.report.write(info);

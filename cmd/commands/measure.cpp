@@ -196,7 +196,7 @@ Action declareMeasure(CLI::App& app) {
   const auto o = std::make_shared<MeasureOptions>();
   describe(app,
            "Time and error of each precision on your own points, beside the textbook's: the view-projection matrix in "
-           "double and in float32.",
+           "double and in float32. (Lengths in a picture: ray --fields point, triangulate.)",
            "Example:\n"
            "  seq 1 1000 | awk '{print $1 / 1000, $1 % 7 / 7, -$1}' |\n"
            "    viewproj measure --position 0,0,9 --target 0,0,0 --fov-y 60 \\\n"

@@ -290,7 +290,8 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool kn
         "--scene, --plane and --height are for hit, point, place, viewDistance and range; --fields has none of them");
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
-      throw UsageError("--fields place needs a camera that stands on the Earth");
+      throw UsageError(
+          "--fields place needs a camera that stands on the Earth; --set world=ecef says that records' cameras do");
     if (row == &results::place) row = &placeRow();
     if (row != &results::hit) continue;
     if (!how.scene) throw UsageError("--fields hit needs --scene, --plane or --height");

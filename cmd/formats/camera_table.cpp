@@ -18,7 +18,7 @@ namespace viewproj::cmd {
 namespace table {
 
 /// The first of these names the camera, in any letter case.
-constexpr std::string_view kNameColumns = "name camera image imagename frame file filename photoid label id time";
+constexpr std::string_view kNameColumns = "name camera image imagename frame file filename photo photoid label id time";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
     "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw cameraAxes world fx fy cx cy "

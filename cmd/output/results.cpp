@@ -100,12 +100,12 @@ void requireRoom(std::span<const ResultRow* const> rows, OutputForm form) {
     numbers += numbersOf(*row);
     if (row->kind == ResultKind::list)
       throw UsageError("a list of " + name + " has no place in " +
-                       (numbersOnly ? "text and f64" : "the columns of CSV") + "; use JSON");
+                       (numbersOnly ? "text and f64" : "the columns of CSV") + "; use --to json");
     if (numbersOnly && row->kind == ResultKind::names)
-      throw UsageError("--fields " + name + ": text and f64 have numbers only; use JSON or CSV");
+      throw UsageError("--fields " + name + ": text and f64 have numbers only; use --to json or csv");
   }
   if (numbersOnly && numbers == 0 && !rows.empty())
-    throw UsageError("the results are words, which have no place in text and f64; use JSON or CSV");
+    throw UsageError("the results are words, which have no place in text and f64; use --to json or csv");
 }
 
 }  // namespace viewproj::cmd

@@ -130,8 +130,8 @@ def numbers_in(text):
     """The sixteen numbers of each constructor, by name."""
     text = re.sub(r"//.*", "", text)
     return {
-        name: [to_float(float(x)) for x in inside.split(",")]
-        for name, inside in re.findall(r"const (?:\w+ )?(\w+) = [\w<>]+\(([^)]*)\);", text)
+        name: [to_float(float(x)) for x in re.findall(r"[^][,\s]+", inside)]
+        for name, inside in re.findall(r"const (?:\w+ )?(\w+)(?:: [^=]*)? = (?:[\w<>]+\(|\[)([^;)]*)[])];", text)
     }
 
 
@@ -149,6 +149,7 @@ def shaders(cases):
             check([[to_float(float(x)) for x in numbers.split(",")] for numbers in inside] ==
                   [sum(floats(transposed(expected.acting[name])), []) for name in names], f"css {expected.case}")
             check(numbers_in(glsl) == numbers_in(wgsl), f"wgsl and glsl {expected.case}")
+            check(numbers_in(glsl) == numbers_in(matrix(expected.case, "rust")), f"rust and glsl {expected.case}")
             for name in names:
                 columns = sum(floats(transposed(expected.acting[name])), [])
                 check(numbers_in(glsl)[name] == columns, f"glsl {expected.case} {name}")
@@ -237,7 +238,7 @@ def calibration(judge):
         body = "float4(mul(P, p) + mul(extrinsics, p) + mul(intrinsics, p.xyz), 1) + tangents + angles"
         source = f"{of('hlsl')}float4 main(float4 p : POSITION) : SV_Position {{ return {body}; }}\n"
         check(run("glslangValidator", "--stdin", "-D", "-S", "vert", "-e", "main", "-V", "-o", os.devnull, text=source)[0] == 0, "hlsl calibration")
-        check(numbers_in(of("glsl")) == columns == numbers_in(of("wgsl")), "glsl and wgsl calibration")
+        check(numbers_in(of("glsl")) == columns == numbers_in(of("wgsl")) == numbers_in(of("rust")), "glsl, wgsl and rust calibration")
         check(numbers_in(of("hlsl")) == {name: [to_float(x) for x in n] for name, n in rows.items()}, "hlsl calibration")
 
 
