@@ -24,7 +24,7 @@ constexpr std::string_view kNames =
     "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
     "worldFromCamera position "
     "target direction up euler name";
-constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far id",
+constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
                            kTurns = "rotation rotationVector quaternion quaternionWFirst",
@@ -302,7 +302,7 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
     if (readPose(parts, camera) && form.cameraAxes != "RDF") camera["cameraAxes"] = form.cameraAxes;
   }
   if (parts.has("rectified")) placeRectified(parts, camera);
-  for (const char* field : {"near", "far"})
+  for (const char* field : {"near", "far", "aspect"})
     if (parts.has(field)) camera["projection"][field] = parts.number(field);
   if (form.pixelCenter != 0) camera["viewport"]["pixelCenter"] = form.pixelCenter;
   readLens(parts, camera);

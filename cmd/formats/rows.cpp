@@ -28,6 +28,11 @@ namespace {
   "size?=width|image_width|image_Width|w|W|img_width|cols|viewport.width+height|image_height|image_Height|h|H|img_" \
   "height|rows|viewport.height||"                                                                                   \
   "image_size|img_size|imageSize|resolution|cameraRes|camera_resolution|size"
+#define EYES "eye|origin|from|eye_position|eyePosition|camera_position|cameraPosition"
+#define TARGETS                                                                                                 \
+  "target|lookAt|look_at|lookat|lookAtPoint|at|center|centre|to|focal_point|focalPoint|interest|camera_target|" \
+  "cameraTarget"
+#define VERTICAL_FOVS "fovY|fovy|fov_y|vfov|v_fov|verticalFov|vertical_fov|fov_vertical|yfov|view_angle|viewAngle"
 #define MODELS "model?=distortion_model|camera_model|lens_model|lensmodel, isFisheye?=fisheye_model|is_fisheye|fisheye"
 #define POSES                                                                                                         \
   "cameraFromWorld?=extrinsic|extrinsics|extrinsic_matrix|T_cam_world|T_cw|cameraFromWorld|w2c|world_to_cam|"         \
@@ -147,6 +152,11 @@ constexpr Row kRows[] = {
      "isFisheye?=is_fisheye|/is_fisheye|fisheye|/fisheye, " POSES ", name?=name",
      NOTHING_READ " raw_* setup color_order",
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *"},
+    {"lookat", "eye, target, fovY by name", EYES " " TARGETS " " VERTICAL_FOVS " !projection !fx",
+     "position=" EYES ", target=" TARGETS ", up?=up|up_vector|upVector|view_up|viewUp, fovY=" VERTICAL_FOVS ", " SIZES
+     ", near?=near|zNear|znear|near_plane|near_clip, far?=far|zFar|zfar|far_plane|far_clip, "
+     "aspect?=aspect|aspectRatio|aspect_ratio, name?=name",
+     "id type", ". camera Camera cam view *", 0.5, "RUB"},
     {"realsense", "intrinsics of a RealSense", "fx|Fx fy|Fy ppx|PPX ppy|PPY",
      "K=fx|Fx+fy|Fy+ppx|PPX+ppy|PPY, size?=width|Width+height|Height, lens?=coeffs|Coeffs, model?=model|Distortion",
      "fps format serial Device_info Kmx *_extrinsics depth_scale FOV* ?Rotation_Matrix ?Translation_Vector",

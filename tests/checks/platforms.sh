@@ -43,6 +43,8 @@ if [ ! -d "$sources" ]; then
     mkdir "$sources/$name"
     tar -xf "$archive" -C "$sources/$name" --strip-components=1
   done
+  # Debian's archive of zlib is without what its CMakeLists.txt names for Windows.
+  mkdir -p "$sources/zlib/win32" && : >"$sources/zlib/win32/zlib1.rc"
 fi
 options="-DYAML_INCLUDE=OFF -DPUGIXML_INCLUDE=OFF -DZLIB_INCLUDE=OFF -DGEOGRAPHICLIB_INCLUDE=OFF"
 for package in CLI11 nlohmann_json FastFloat dragonbox libyaml pugixml zlib GeographicLib Catch2; do
