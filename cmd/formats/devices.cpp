@@ -47,10 +47,11 @@ Import openFrame(const Node& root) {
 /// Composite counts, whose tags are made of all others; else they must agree.
 std::optional<Node> columnOf(const Node& row, std::string_view name) {
   std::optional<Node> found = row.find("Composite:" + std::string(name));
-  if (found && found->json() != "") return found;
+  const Json nothing("");
+  if (found && found->json() != nothing) return found;
   found.reset();
   for (const auto& [column, cell] : row.json().items()) {
-    if (cell.is_null() || cell == "" || std::string_view(column).substr(column.rfind(':') + 1) != name) continue;
+    if (cell.is_null() || cell == nothing || std::string_view(column).substr(column.rfind(':') + 1) != name) continue;
     if (found && found->json() != cell)
       row.find(column)->fail("differs from " + found->path() + "; leave one of them out");
     found = row.find(column);

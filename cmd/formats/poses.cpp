@@ -13,6 +13,7 @@
 #include "formats/writer.hpp"
 #include "text/number.hpp"
 #include "text/pasted_matrices.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace poses {
@@ -175,7 +176,7 @@ extern const Format kPoses{"poses", "poses without a lens",
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
   // Poses of a picked camera are called CAMERA/TIME.
   const auto timeOf = [](const WrittenCamera& camera) {
-    const std::string label = camera.label();
+    const std::string& label = camera.label();
     return label.substr(label.rfind('/') + 1);
   };
   const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
