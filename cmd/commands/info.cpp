@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <set>
 
 #include "camera/names.hpp"
 #include "camera/plain_camera.hpp"
@@ -14,6 +13,7 @@
 #include "commands/command.hpp"
 #include "commands/ground_height.hpp"
 #include "commands/outline.hpp"
+#include "commands/pasted/camera_of_matrices.hpp"
 #include "commands/pasted/report.hpp"
 #include "commands/world_options.hpp"
 #include "formats/finder/finder.hpp"
@@ -293,10 +293,8 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
 }
 
 int writeProposal(const InfoOptions& o, const Proposal& proposal) {
-  if (o.report.form() == ReportForm::table)
-    writeOutput(textOf(proposal));
-  else
-    writeOutput(jsonOf(proposal).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  const bool isTable = o.report.form() == ReportForm::table;
+  writeOutput(isTable ? textOf(proposal) : jsonOf(proposal).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return 1;
 }
 
@@ -329,6 +327,9 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
   }
   if (isJson) writeOutput("\n]}\n");
   if (!rows.empty()) writeOutput(csvText(rows, o.report.digits()));
+  if (const std::string_view preset = presetOf(matrices); !preset.empty() && o.report.form() == ReportForm::table)
+    writeOutput("\nwith --viewport WIDTHxHEIGHT they are a camera:\nviewproj project X,Y,Z -c " +
+                o.camera.file().value_or("-") + " --read-as " + std::string(preset) + " --viewport WIDTHxHEIGHT\n");
   return allFit ? 0 : 1;
 }
 
@@ -354,19 +355,6 @@ int runCamera(const InfoOptions& o) {
     info["heading"] = std::fmod(toDigits(info["heading"].get<double>(), static_cast<int>(o.report.digits())), 360);
   o.report.write(info);
   return 0;
-}
-
-/// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others the report
-/// tells.
-void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices) {
-  std::set<double> known;
-  for (const PastedMatrix& matrix : matrices)
-    for (const PrintedNumber& number : matrix.numbers) known.insert(number.value);
-  std::vector<std::string> others = pathsOfOthers(file, known);
-  if (file.isPlainText) std::erase_if(others, [](const std::string& path) { return !path.starts_with('#'); });
-  constexpr std::size_t kMost = 8;
-  if (!others.empty())
-    note(file.name + ": numbers that are no matrix: " + someOf(others, kMost) + "; viewproj help parts reads them");
 }
 
 /// A file that no format claims: what --parts could make of it, if that is a lens with something beside it, else what
@@ -450,7 +438,7 @@ Action declareInfo(CLI::App& app) {
           for (const auto& [name, kind] : kReadingKinds) o->which.push_back(kind);
       },
       withNames("Read matrices, as these kinds alone", known(rowsOf(kReadingKinds)), "a camera, if there is one"));
-  addAngles(app, o->angles, "Tell the pose as turns about the camera's axes too");
+  addAngles(app, o->angles, "Tell the pose last, as turns about turned axes");
   o->report.add(app, 9);
   o->camera.showMatrices();
   o->camera.addFile(app);

@@ -76,7 +76,7 @@ void addAngles(CLI::App& app, const NameRow<EulerOrder>*& order, const std::stri
         if (!order)
           throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
       },
-      help + ", as YXZ, or of rpy, unity, unreal or opk");
+      help + ", as YXZ, or of rpy (Blender's XYZ), unity, unreal or opk");
 }
 
 OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,

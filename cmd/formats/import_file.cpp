@@ -97,11 +97,23 @@ Import openClaimed(const Document& file, const Claim& claim) {
   }
 }
 
-Import importParts(const Node& root, const std::string& line) {
+/// Note what looks like a pose where the line takes none.
+Import importParts(const Node& root, const std::string& line, bool hasPose) {
   std::vector<Part> parts = parseParts(line, "--parts");
   requireNames(parts, "--parts", false);
   if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
-  return {camerasOfParts(root, std::move(parts), {}, "")};
+  const bool takesPose =
+      hasPose || std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+        return part.name == "P" || part.name == "position" || part.name.find("From") != std::string::npos;
+      });
+  Import result{camerasOfParts(root, std::move(parts), {}, "")};
+  const Proposal proposal = takesPose ? Proposal{} : proposeParts(root.document());
+  for (const ProposedLine& proposed : proposal.lines)
+    if (!proposed.pose.empty() && !result.unread)
+      result.unread = [names = proposed.pose](std::size_t) {
+        return names + ", which looks like a pose; without one points are in the camera's frame";
+      };
+  return result;
 }
 
 /// "; it names a.yaml, b.yaml beside it …", of the files that its texts name.
@@ -166,7 +178,7 @@ void failPreset(const std::string& name, std::string_view form) {
 
 Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
   const Node root(*file);
-  if (opening.parts) return importParts(root, *opening.parts);
+  if (opening.parts) return importParts(root, *opening.parts, !opening.poses.empty());
   const std::vector<Claim> found = claimsOf(root, false);
   const bool isTable = !found.empty() && found.front().name == kTable.name;
   if (!preset.empty() && !found.empty() && !found.front().mayBeMatrices && !isTable)

@@ -22,8 +22,7 @@ constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
     {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
 constexpr std::string_view kNames =
     "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
-    "worldFromCamera position "
-    "target direction up euler name";
+    "worldFromCamera position target direction up euler name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
@@ -113,13 +112,10 @@ Json projectionOfK(const Parts& parts) {
 /// What --parts takes for a fisheye of a file whose lens has no name.
 std::string fisheyeLine(const Parts& parts) {
   std::string line = "--parts 'K=" + parts.node("K").path() + ", fisheye=" + parts.node("lens").path();
-  if (parts.has("size")) {
-    line += ", size=";
-    const std::vector<Node>& sides = parts["size"].nodes;
-    for (std::size_t i = 0; i < std::min<std::size_t>(sides.size(), 2); ++i)
-      if (i == 0 || sides.size() == 2) line += (i > 0 ? "+" : "") + sides[i].path();
-  }
-  return line + "'";
+  std::vector<std::string> sides;
+  if (parts.has("size"))
+    for (const Node& side : parts["size"].nodes) sides.push_back(side.path());
+  return line + (sides.empty() ? "'" : ", size=" + joined(sides, "+") + "'");
 }
 
 /// The coefficients of a lens that the file names.
@@ -383,11 +379,6 @@ void requireNames(const std::vector<Part>& parts, const std::string& label, bool
     if (dot == part.name.size() ? isAmong(first, kNames) || (isRow && isAmong(first, kNamesOfRows))
                                 : isAmong(first, kPoseParts) && isAmong(form, kPoseForms))
       continue;
-    if (first == "pose")
-      throw UsageError(
-          label +
-          ": pose is no part: say cameraFromWorld (as solvePnP and COLMAP give it) or worldFromCamera (its "
-          "translation is the camera's place)");
     std::vector<std::string> all;
     for (const std::string_view each : wordsIn(kNames)) all.emplace_back(each);
     for (const std::string_view pose : wordsIn(kPoseParts))

@@ -101,15 +101,9 @@ std::optional<PosesOfFile> namedPose(const Document& file, const std::string& fi
         lines.front().parts.find("translation=" + name) != std::string::npos)
       throw InputError(file.name + ": " + inQuotes(name) + " comes again, and other names do not; keep one pose");
   }
-  std::vector<Part> parts = parseParts(lines.front().parts, "poses");
-  std::string direction = field;
-  for (Part& part : parts) {
-    const std::string first = part.name.substr(0, part.name.find('.'));
-    if (first == "pose")
-      part.name.replace(0, first.size(), field);
-    else if (first != "position")
-      direction = first;
-  }
+  const bool isOther = lines.front().isEitherWay && field == "cameraFromWorld";
+  std::vector<Part> parts = parseParts((isOther ? otherWay(lines.front()) : lines.front()).parts, "poses");
+  const std::string direction = parts.front().name.substr(0, parts.front().name.find('.'));
   // A place is the translation of what takes the camera to the world.
   for (Part& part : parts)
     if (part.name == "position") {

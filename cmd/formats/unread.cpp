@@ -67,13 +67,13 @@ constexpr std::string_view kOfAxes = "axis axes origin handedness handed chirali
 constexpr std::string_view kSizeWords = "size sz resolution res dim dims dimension dimensions shape sensor",
                            kOtherSizes = "tile patch window kernel block cell grid pixel";
 
-bool areZero(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
+bool areAllOf(const std::vector<double>& numbers, double value) {
+  return std::all_of(numbers.begin(), numbers.end(), [value](double number) { return number == value; });
 }
 
 /// An identity says as little as zeros.
 bool isNothing(const std::vector<double>& m) {
-  if (areZero(m)) return true;
+  if (areAllOf(m, 0)) return true;
   const std::size_t columns = m.size() == 9 ? 3 : m.size() == 12 || m.size() == 16 ? 4 : 0;
   if (m.size() == 4)
     return (m[0] == 1 && m[1] == 0 && m[2] == 0 && m[3] == 0) || (m[0] == 0 && m[1] == 0 && m[2] == 0 && m[3] == 1);
@@ -116,16 +116,6 @@ bool isChoice(std::string_view name, const std::vector<double>& numbers) {
   const std::vector<std::string> words = wordsOf(name);
   return numbers.size() == 1 && (numbers[0] == 0 || numbers[0] == 1) && !words.empty() &&
          isAmong(words.front(), kChoices);
-}
-
-bool areAllOne(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 1; });
-}
-
-/// Whether they are whole numbers from this one on.
-bool areWhole(const std::vector<double>& numbers, double least) {
-  return std::all_of(numbers.begin(), numbers.end(),
-                     [&](double number) { return number == std::floor(number) && number >= least; });
 }
 
 /// The numbers of a text such as 1280x960; a ratio such as 1/2 or 16:9.
@@ -212,7 +202,10 @@ struct Lists {
 class Unread {
  public:
   Unread(std::shared_ptr<Document> file, const Import& cameras, std::string_view known)
-      : file_(std::move(file)), known_(wordsIn(known)), apart_(cameras.apart.begin(), cameras.apart.end()) {
+      : file_(std::move(file)),
+        known_(wordsIn(known)),
+        apart_(cameras.apart.begin(), cameras.apart.end()),
+        areSeveral_(cameras.cameras.size() > 1) {
     for (const std::string_view name : wordsIn(kSaysNothing)) known_.push_back(name);
     for (const CameraEntry& camera : cameras.cameras)
       if (camera.own) apart_.insert(&camera.own->json());
@@ -298,9 +291,9 @@ class Unread {
         (areNear(n[0], *width / *height, 0.01, 0) || areNear(n[0], *height / *width, 0.01, 0)))
       return true;
     constexpr double kLeastSide = 64;
-    const bool isOfPicture = isAmong(letters, kSizes) || (hasWord(left.name, kSizeWords) && areWhole(n, kLeastSide) &&
-                                                          !hasWord(left.name, kOtherSizes));
-    if (n.size() != 2 || !isOfPicture) return false;
+    const auto isSide = [](double side) { return side == std::floor(side) && side >= kLeastSide; };
+    const bool isOther = !hasWord(left.name, kSizeWords) || hasWord(left.name, kOtherSizes);
+    if (n.size() != 2 || !(isAmong(letters, kSizes) || (!isOther && isSide(n[0]) && isSide(n[1])))) return false;
     if (std::minmax(n[0], n[1]) != std::minmax(*width, *height))
       fail(n[0] == *width ? "height" : "width", n[0] == *width ? *height : *width);
     return true;
@@ -392,11 +385,9 @@ class Unread {
     const bool isFlat = left.node.json().is_array() && left.node.size() == 9;
     const std::string called = isMatrix ? "call it cameraFromWorld or worldFromCamera, or " : "";
     for (const ProposedLine& line : proposeParts(*file_).lines) {
-      const std::size_t pose = std::min({line.parts.find("pose"), line.parts.find("From")});
-      if (pose == std::string::npos || line.parts.find(left.name, pose) == std::string::npos) continue;
-      const bool isAsked = line.parts.find("pose", pose) != std::string::npos;
-      return called + "read it by --parts '" + line.parts + "'" +
-             (isAsked ? ", with worldFromCamera or cameraFromWorld for pose" : "") +
+      if (line.pose.find(left.name) == std::string::npos) continue;
+      return called + "read it by " + optionsOf(line) +
+             (line.isEitherWay ? ", or cameraFromWorld for worldFromCamera" : "") +
              (isFlat ? ", and " + left.node.path() + "^T if its numbers go by columns, as RealSense's do" : "");
     }
     return called + "read it by --parts (viewproj help parts)";
@@ -415,8 +406,9 @@ class Unread {
     const std::size_t count = m.size();
     const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
     const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
-    const bool isPoseNumber =
-        count == 1 && left.nearness != Nearness::far && isAmong(withoutUnits(left.name), kPoseNumbers) && !isTurnOfNone;
+    // What is beside several cameras, in an object of its own, is no camera's.
+    const bool isNear = left.nearness == Nearness::beside || (left.nearness == Nearness::inside && !areSeveral_);
+    const bool isPoseNumber = count == 1 && isNear && isAmong(withoutUnits(left.name), kPoseNumbers) && !isTurnOfNone;
     if (isPoseNumber ||
         (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) &&
          !isNothing(m)))
@@ -424,19 +416,20 @@ class Unread {
     if (left.areMembers || isChoice(left.name, m)) return;
     if (count == 9 && isIntrinsic(m))
       left.node.fail("is not read, and is another K than the one that is; take one of them out");
-    const bool isOne = areAllOne(m) && hasWord(left.name, kRatios);
+    const bool isOne = areAllOf(m, 1) && hasWord(left.name, kRatios);
     const bool isLens = count == 0 || hasWord(left.name, kLensWords) || hasWord(left.name, kFlags) ||
                         isCoefficient(left.name) || (hasWord(left.box, kLensBoxes) && !hasWord(left.name, kOfGlass)) ||
                         (count == 1 && isAmong(withoutUnits(left.name), kPictureTurns));
     if (isLens && !isOne && count <= 16)
       left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
-    if (count < 3 && (left.nearness == Nearness::far || areAllOne(m))) return;
+    if (count < 3 && (left.nearness == Nearness::far || areAllOf(m, 1))) return;
     names.push_back(called);
   }
 
   std::shared_ptr<Document> file_;
   std::vector<std::string_view> known_;  ///< patterns of names
   std::unordered_set<const void*> apart_;
+  bool areSeveral_;
   std::optional<Lists> shared_;  ///< of what belongs to no camera alone
   std::unordered_map<std::size_t, std::string> notes_;
   std::mutex mutex_;

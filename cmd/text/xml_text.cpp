@@ -30,9 +30,9 @@ class Reader {
       if (child.type() != pugi::node_element) continue;
       json value = valueOf(child, depth + 1);
       std::string name = child.name();
-      if (isNameAndValue(value)) {  // <float name="fov" value="35"/>
+      if (isNameAndValue(value)) {  // <float name="fov" value="35"/>, <float name="fov">35</float>
         name = value["@name"].get<std::string>();
-        value = std::move(value["@value"]);
+        value = std::move(value[value.contains("#text") ? "#text" : "@value"]);
       }
       json& list = children[name];
       if (list.is_null()) list = json::array();
@@ -51,7 +51,8 @@ class Reader {
     throw JsonFault{static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, element.offset_debug())), message};
   }
   static bool isNameAndValue(const json& value) {
-    return value.is_object() && value.size() == 2 && value.contains("@name") && value.contains("@value");
+    return value.is_object() && value.size() == 2 && value.contains("@name") &&
+           (value.contains("@value") || value.contains("#text"));
   }
   static std::string trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -516,7 +516,7 @@ TEST_CASE("a line of parts and paths makes a camera") {
         Json::parse(R"({"rotationVector": [0, 0, 0], "translation": [4, 5, 6]})"));
   CHECK(cameraOf(text, "", "K=v2 1.5.f+50+25")["projection"]["fx"] == 700);
   const std::pair<const char*, const char*> kWrong[] = {
-      {"pose=views.a.t", "pose is no part"},
+      {"pose=views.a.t", "'pose' is no part"},
       {"K", "expected name=path"},
       {"K=calib.x", "K: calib.x: is not in the file"},
       {"K=calib.d", "expected 1, 2, 3, 4, 9, 12 or 16 numbers, got 6"},
@@ -567,7 +567,8 @@ TEST_CASE("the finder proposes the line that reads a file") {
   const Proposal proposal = proposeParts(readTree(text, "FILE"));
   REQUIRE(!proposal.lines.empty());
   CHECK(proposal.lines[0].parts ==
-        "K=CameraMatrix, distortion=DistCoeffs, pose.rotation=Rotation, pose.translation=TranslationVector");
+        "K=CameraMatrix, distortion=DistCoeffs, worldFromCamera.rotation=Rotation, "
+        "worldFromCamera.translation=TranslationVector");
   CHECK(proposal.lines[0].decide.size() == 1);
   const Proposal set = proposeParts(readTree(
       R"({"left": {"mtx": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "w2c": [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]]},
@@ -607,11 +608,30 @@ TEST_CASE("the finder proposes the line that reads a file") {
   const Proposal turned = proposed(
       R"({"camMatrix": [[1226.7, -30.5, -0.219], [100.1, 1440, 0.156], [930.2, 133.9, 0.963], [392010, 256050, 872]]})");
   CHECK(turned.lines.at(0).parts == "P=camMatrix^T");
-  CHECK(turned.lines.at(0).decide.at(0).find("pixelCenter=1") != std::string::npos);
+  CHECK(turned.lines.at(0).set == std::vector<std::string>{"viewport.pixelCenter=1"});
   // An orbit's camera that would be upside down and look away with OpenCV's axes.
   const Proposal orbit = proposed(
       R"({"K": [[1111, 0, 400], [0, 1111, 400], [0, 0, 1]], "pose_a": [[0.8253, -0.283, 0.4886, 1.95], [0.5647, 0.4136, -0.7142, -2.85], [0, 0.8653, 0.5012, 2.1], [0, 0, 0, 1]]})");
-  CHECK(orbit.lines.at(0).decide.back().find("likely right, up, back") != std::string::npos);
+  // Where no name tells the direction, both lines can be typed as they stand.
+  CHECK(optionsOf(orbit.lines.at(0)) == "--parts 'K=K, worldFromCamera=pose_a' --set cameraAxes=RUB");
+  CHECK(optionsOf(otherWay(orbit.lines.at(0))) == "--parts 'K=K, cameraFromWorld=pose_a'");
+  // Rows of a rotation, or nine numbers counted from 0, with the place around them.
+  const Proposal rows = proposed(
+      R"({"S": {"Interne": {"F": 90, "PP": [45, 30]}, "Externe": {"Centre": [4, 5, 6], "Rows": {"L1": [0.6, 0.8, 0], "L2": [-0.8, 0.6, 0], "L3": [0, 0, 1]}}}})");
+  CHECK(rows.lines.at(0).parts ==
+        "K=S.Interne.F+S.Interne.PP, worldFromCamera.rotation=S.Externe.Rows.L1+S.Externe.Rows.L2+S.Externe.Rows.L3, "
+        "position=S.Externe.Centre");
+  CHECK(rows.leftOut.empty());
+  const File named("named.xml",
+                   R"(<A><F name="Fov">50</F><C name="At"><X>1</X><Y>2</Y><Z>3</Z><R00>0.6</R00><R01>0.8</R01>
+      <R02>0</R02><R10>-0.8</R10><R11>0.6</R11><R12>0</R12><R20>0</R20><R21>0</R21><R22>1</R22></C></A>)");
+  CHECK(proposed(named.name().c_str()).lines.at(0).parts ==
+        "fovY=A.Fov, worldFromCamera.rotation=A.C.R00+A.C.R01+A.C.R02+A.C.R10+A.C.R11+A.C.R12+A.C.R20+A.C.R21+A.C.R22, "
+        "position=A.C.X+A.C.Y+A.C.Z");
+  // What is called as a camera's comes first of what a person may use, and all of it.
+  std::string many = R"({"far away": {"longitude": 7)";
+  for (int i = 0; i < 20; ++i) many = R"({"n)" + std::to_string(i) + "\": " + std::to_string(i) + ", " + many.substr(1);
+  CHECK(textOf(proposed((many + "}}").c_str())).find("far away.longitude: 7") != std::string::npos);
   CHECK(!proposed(R"({"mtx_a": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "radial": [2.1e-8, -1.2e-14]})")
              .lines[0]
              .decide.empty());
@@ -621,8 +641,8 @@ TEST_CASE("names that state an order or a direction up are obeyed by the finder 
   const auto proposed = [](const std::string& file) { return proposeParts(readTree(file, "FILE")).lines.at(0); };
   const std::string w = R"({"cam": {"pos": [1, 2, 3], "fov": 40, "q_wxyz": [0.5, 0.1, 0.7, 0.5]}})";
   const std::string x = R"({"cam": {"pos": [1, 2, 3], "fov": 40, "quatXYZW": [0.1, 0.7, 0.5, 0.5]}})";
-  CHECK(proposed(w).parts == "fovY=cam.fov, pose.quaternionWFirst=cam.q_wxyz, position=cam.pos");
-  CHECK(proposed(x).parts == "fovY=cam.fov, pose.quaternion=cam.quatXYZW, position=cam.pos");
+  CHECK(proposed(w).parts == "fovY=cam.fov, worldFromCamera.quaternionWFirst=cam.q_wxyz, position=cam.pos");
+  CHECK(proposed(x).parts == "fovY=cam.fov, worldFromCamera.quaternion=cam.quatXYZW, position=cam.pos");
   const auto turnOf = [](const std::string& file, const std::string& turn) {
     return cameraOf(file, "",
                     "fovY=cam.fov, worldFromCamera." + turn + ", position=cam.pos")["worldFromCamera"]["rotation"];

@@ -2,13 +2,14 @@
 #include "text/pasted_matrices.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "catch.hpp"
-#include "commands/pasted/reading_order.hpp"
+#include "commands/pasted/reading_parts.hpp"
 #include "commands/pasted/readings.hpp"
 #include "parts.hpp"
 #include "random.hpp"
@@ -322,6 +323,7 @@ TEST_CASE("A view's axes are those of the programs that have its name, or OpenCV
   for (const char* name : {"view", "c2w", "matrixWorld"}) CHECK(axesOf(name) == ViewAxes::RUB);
   for (const char* name : {"w2c", "full_proj_transform", "world_view_transform"}) CHECK(axesOf(name) == ViewAxes::RDF);
   CHECK(axesOf("pose", true, "0 0 1 -2") == ViewAxes::RDF);
+  CHECK(axesOf("po frame.camera.transform\nsimd_float4x4 pose", true, "0 0 1 -2") == ViewAxes::RUB);
   // But for one that would then be upside down, with the origin behind it.
   CHECK(axesOf("pose", true) == ViewAxes::RUB);
   // Beside a projection they are the projection's.
@@ -469,6 +471,83 @@ TEST_CASE("No interval misses the truth, however many digits are printed") {
   CHECK(read > 675);
   CHECK(readInverses > 100);
   CHECK(sure > 300);
+}
+
+TEST_CASE("No interval of a K, a P, an axis or an edge misses the truth") {
+  constexpr const char* kForms3[] = {"%.*f", "%.*e", "%.*g"};
+  using enum ReadingKind;
+  constexpr ReadingKind kKinds[] = {k, p, pose, view, viewProjection, projection, rotation};
+  std::array<int, std::size(kKinds)> read{};
+  for (std::uint64_t trial = 0; trial < 1400; ++trial) {
+    Random random(trial);
+    const ReadingKind kind = kKinds[trial % std::size(kKinds)];
+    const Vec3 eye = random.vector(10);
+    const Pose at = lookAlong(eye, random.direction(), {0.1, 1, 0.2}, Handedness::right);
+    const double fx = random.uniform(300, 3000), fy = fx * random.uniform(0.9, 1.1);
+    const double cx = random.uniform(200, 900), cy = random.uniform(200, 900);
+    const double left = random.uniform(-2, -0.3), right = random.uniform(0.3, 2), low = -0.7, high = 0.9;
+    const Projection lens = perspectiveWindow(left, right, low, high, 0.1, 50);
+    const Mat4 cv = viewFromWorld(at, conventions::opencv);
+    Mat4 m = kind == pose             ? worldFromView(at, conventions::opencv)
+             : kind == view           ? cv
+             : kind == rotation       ? cv
+             : kind == viewProjection ? clipFromWorld(at, lens, conventions::opengl)
+             : kind == projection     ? clipFromView(lens, conventions::opengl)
+                                      : Mat4{{{{fx, 0, cx, 0}, {0, fy, cy, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
+    const Mat4 calibration = m;
+    if (kind == p)
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+          m[i][j] = 0;
+          for (std::size_t n = 0; n < 3; ++n) m[i][j] += calibration[i][n] * cv[n][j];
+        }
+    const bool isSmall = kind == k || kind == rotation;
+    const std::size_t rows = isSmall || kind == p ? 3 : 4, columns = isSmall ? 3 : 4;
+    const char* const form = random.oneOf(kForms3);
+    const int digits = 3 + static_cast<int>(random.below(7));
+    std::string text;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
+        char out[64];
+        std::snprintf(out, sizeof out, form, digits, m[i][j]);
+        text += std::string(out) + (j + 1 < columns ? " " : "\n");
+      }
+    if (text.find('.') == std::string::npos) continue;  // whole numbers are exact
+    INFO("trial " << trial << "\n" << text);
+    const PastedMatrices found = findMatrices(text);
+    REQUIRE(found.matrices.size() == 1);
+    const auto minus = [](const Vec3& v) { return Vec3{-v.x, -v.y, -v.z}; };
+    const auto isWithin = [](double value, double truth, double error) {
+      CHECK(std::fabs(value - truth) <= error + 1e-13 * std::fabs(truth));
+    };
+    for (const Reading& r : readingsOf(found.matrices.front()).readings) {
+      if (r.kind != kind || r.layout == MatrixLayout::transposed) continue;
+      if (r.camera && !fits(r,
+                            kind == viewProjection || kind == projection ? conventions::opengl.convention
+                                                                         : conventions::opencv.convention,
+                            false))
+        continue;
+      ++read[trial % std::size(kKinds)];
+      if (r.pixels) {
+        const double values[] = {r.pixels->fx, r.pixels->fy, r.pixels->cx, r.pixels->cy}, truths[] = {fx, fy, cx, cy};
+        for (std::size_t i = 0; i < 4; ++i) isWithin(values[i], truths[i], r.pixels->errors[i]);
+      }
+      const Vec3 truths[] = {at.right(), minus(at.up()), at.forward()};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          if (kind == p || kind == rotation) isWithin(r.rows[i][j], truths[i][j], r.axesError);
+          if (!r.camera || !r.camera->pose) continue;
+          const Pose& own = *r.camera->pose;
+          isWithin((i == 0 ? own.right() : i == 1 ? minus(own.up()) : own.forward())[j], truths[i][j], r.axesError);
+        }
+      if (kind != projection) continue;
+      isWithin(r.camera->lens->left, left, r.edgeError.x);
+      isWithin(r.camera->lens->right, right, r.edgeError.x);
+      isWithin(r.camera->lens->bottom, low, r.edgeError.y);
+      isWithin(r.camera->lens->top, high, r.edgeError.y);
+    }
+  }
+  for (const int count : read) CHECK(count > 150);
 }
 
 TEST_CASE("Another convention's matrix is that of the same camera, and entries that do not change are copied") {

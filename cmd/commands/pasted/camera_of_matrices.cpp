@@ -4,14 +4,17 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "camera/plain_camera.hpp"
+#include "formats/finder/finder.hpp"
 #include "formats/open.hpp"
 #include "formats/value.hpp"
 #include "output/output_file.hpp"
 #include "output/report.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 #include "text/utf8.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -42,28 +45,18 @@ std::string shownNameOf(const ReadMatrix& matrix) {
   return m.name.empty() ? "the matrix in line " + std::to_string(m.line) : visible(m.name);
 }
 
-std::size_t countNumbers(const Json& value) {
-  if (!value.is_structured()) {
-    const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : numbersIn(value);
-    return numbers ? numbers->size() : 0;
-  }
-  std::size_t count = 0;
-  for (const Json& part : value) count += countNumbers(part);
-  return count;
-}
-
-bool isTree(const UnknownFormat& file) {
+/// The tree of JSON or YAML that a file is; null for any other.
+const Document* treeOf(const UnknownFormat& file) {
   const auto* const tree = dynamic_cast<const UnknownFile*>(&file);
-  return tree && !tree->file.isPlainText && tree->file.root->is_object();
+  return tree && !tree->file.isPlainText && tree->file.root->is_object() ? &tree->file : nullptr;
 }
 
-/// Of a tree of JSON or YAML: whether all of its numbers are the matrices'.
-bool holdsMatricesAlone(const UnknownFormat& file, const PastedMatrices& pasted) {
-  if (!isTree(file)) return true;
-  std::size_t numbers = 0;
-  for (const PastedMatrix& m : pasted.matrices) numbers += m.numbers.size();
-  const std::size_t count = countNumbers(*dynamic_cast<const UnknownFile&>(file).file.root);
-  return count == 0 || count == numbers;
+/// Paths of a file's numbers that are in none of the matrices.
+std::vector<std::string> othersIn(const Document& file, const std::vector<PastedMatrix>& matrices) {
+  std::set<double> known;
+  for (const PastedMatrix& matrix : matrices)
+    for (const PrintedNumber& number : matrix.numbers) known.insert(number.value);
+  return pathsOfOthers(file, known);
 }
 
 /// Whether the text has no other named numbers, which may be a distortion or a place.
@@ -83,22 +76,21 @@ std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, c
                        (lens.depthFault.empty()
                             ? "its digits do not tell near and far; info tells its eye, axes and fields of view"
                             : lens.depthFault));
-    Convention c = stated;
-    c.world = reading.camera->convention.world;
-    c.ndcZ = reading.camera->convention.ndcZ;
-    c.ndcY = reading.camera->convention.ndcY;
-    c.reverseZ = reading.camera->convention.reverseZ;
+    Convention c = reading.camera->convention;
+    c.view = stated.view;
+    c.vectors = stated.vectors;
+    c.storage = stated.storage;
     OrderedJson convention = asJson(c);
     for (const ConventionPreset& preset : conventionPresets())
       if (preset.convention == stated) convention.emplace("preset", preset.name);
-    const bool isLeft = c.world == Handedness::left;
-    const auto [x, t] = worldFromCamera(plainPose(*reading.camera->pose), isLeft ? CameraAxes::RUF : CameraAxes::RUB);
+    Convention axes = c;
+    axes.view = c.world == Handedness::left ? ViewAxes::RUF : ViewAxes::RUB;
     const Projection& p = *lens.projection;
     const double scale = p.isOrthographic() ? 1 : p.zNear();
     OrderedJson each{{"convention", convention},
-                     {"cameraAxes", isLeft ? "RUF" : "RUB"},
-                     {"worldFromCamera",
-                      {{x[0].x, x[1].x, x[2].x, t.x}, {x[0].y, x[1].y, x[2].y, t.y}, {x[0].z, x[1].z, x[2].z, t.z}}},
+                     {"cameraAxes", nameOf(kViewNames, axes.view)},
+                     {"worldFromCamera", asJson(viewproj::matrix(makeCamera(*reading.camera->pose, p, {1, 1}, axes),
+                                                                 Space::world, Space::view))},
                      {"projection",
                       {{"type", p.isOrthographic() ? "orthographic" : "frustum"},
                        {"left", p.left() * scale},
@@ -117,25 +109,12 @@ std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, c
   return camera.dump();
 }
 
-/// As it stands, or turned.
-OrderedJson numbersOf(const PastedMatrix& m, MatrixLayout layout) {
-  const bool isTurned = layout == MatrixLayout::transposed;
-  OrderedJson rows = OrderedJson::array();
-  for (std::size_t i = 0; i < (isTurned ? m.columns : m.rows); ++i) {
-    rows.push_back(OrderedJson::array());
-    for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
-      rows.back().push_back(isTurned ? m.at(j, i) : m.at(i, j));
-  }
-  return rows;
-}
-
 /// The matrices of a text by their kinds: those of one kind alone are a camera's.
 struct KnownMatrices {
   std::vector<ReadMatrix> matrices;
-  std::vector<std::optional<ReadingKind>> kinds;
+  std::vector<std::optional<ReadingKind>> kinds{};
 
-  KnownMatrices(const UnknownFormat& file, const std::string& source, const std::optional<Convention>& readAs)
-      : matrices(readMatrices(file.text, source, file.what(), {readAs, {}})) {
+  explicit KnownMatrices(std::vector<ReadMatrix> all) : matrices(std::move(all)) {
     std::transform(matrices.begin(), matrices.end(), std::back_inserter(kinds), kindOf);
   }
   const ReadMatrix* only(ReadingKind kind) const {
@@ -144,19 +123,17 @@ struct KnownMatrices {
                ? &matrices[static_cast<std::size_t>(found - kinds.begin())]
                : nullptr;
   }
+  const ReadMatrix* stand() const {
+    const ReadMatrix* const view = only(ReadingKind::view);
+    return view ? view : only(ReadingKind::pose);
+  }
   /// Of a view or pose, only what has the axes of a reading of this projection, if there is such.
   void keepFitting(const ReadMatrix& stand, const ReadMatrix& lens) {
-    const auto axesOf = [](const Reading& r) {
-      return r.camera ? std::optional(r.camera->convention.view) : std::nullopt;
-    };
-    const auto fitsLens = [&](const Reading& r) {
-      return std::any_of(lens.found.readings.begin(), lens.found.readings.end(),
-                         [&](const Reading& l) { return l.kind == ReadingKind::projection && axesOf(l) == axesOf(r); });
-    };
-    const bool doSome = std::any_of(stand.found.readings.begin(), stand.found.readings.end(), fitsLens);
-    if (doSome)
-      std::erase_if(matrices[static_cast<std::size_t>(&stand - matrices.data())].found.readings,
-                    [&](const Reading& r) { return !fitsLens(r); });
+    prefer(matrices[static_cast<std::size_t>(&stand - matrices.data())].found.readings, [&](const Reading& r) {
+      return std::any_of(lens.found.readings.begin(), lens.found.readings.end(), [&](const Reading& l) {
+        return l.kind == ReadingKind::projection && r.camera && l.camera->convention.view == r.camera->convention.view;
+      });
+    });
   }
   /// The one K or P of pixels.
   const ReadMatrix* calibration() const {
@@ -165,7 +142,35 @@ struct KnownMatrices {
   }
 };
 
+/// The readings that a calibration's view or pose can have: of OpenCV's axes, unless names beside it speak of others.
+void keepOfCalibration(ReadMatrix& matrix) {
+  std::vector<Reading>& readings = matrix.found.readings;
+  const ViewAxes axes = hintOf(matrix.pasted).axes.value_or(ViewAxes::RDF);
+  std::erase_if(readings, [&](const Reading& r) { return r.camera && r.camera->convention.view != axes; });
+  const MatrixLayout layout = readings.empty() ? MatrixLayout::either : readings.front().layout;
+  std::erase_if(readings, [&](const Reading& r) { return r.camera && r.layout != layout; });
+  if (readings.empty()) matrix.found.fault = "none of its readings has the K's axes; --world-from-camera adds a pose";
+}
+
 }  // namespace
+
+std::string_view presetOf(const std::vector<ReadMatrix>& matrices) {
+  const KnownMatrices known(matrices);
+  const ReadMatrix *const lens = known.only(ReadingKind::projection), *const stand = known.stand();
+  if (!lens || !stand) return "";
+  const Reading &p = lens->found.readings.front(), &v = stand->found.readings.front();
+  for (const ConventionPreset& preset : conventionPresets())
+    if (fits(p, preset, lens->pasted.isInMemoryOrder) && fits(v, preset, stand->pasted.isInMemoryOrder))
+      return preset.name;
+  return "";
+}
+
+void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices) {
+  std::vector<std::string> others = othersIn(file, matrices);
+  if (file.isPlainText) std::erase_if(others, [](const std::string& path) { return !path.starts_with('#'); });
+  if (!others.empty())
+    note(file.name + ": numbers that are no matrix: " + someOf(others, 8) + "; viewproj help parts reads them");
+}
 
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world) {
@@ -173,9 +178,7 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
   if (readings.empty()) throw InputError(name + ": " + matrix.found.fault);
   // A name that tells the kind decides between the kinds.
   const KindHint hint = hintOf(matrix.pasted);
-  const auto isNamed = [&](const Reading& r) { return r.kind == hint.kind; };
-  if (std::any_of(readings.begin(), readings.end(), isNamed))
-    std::erase_if(readings, [&](const Reading& r) { return !isNamed(r); });
+  prefer(readings, [&](const Reading& r) { return r.kind == hint.kind; });
   std::optional<Mat4> result;
   for (const Reading& r : readings) {
     Mat4 each;
@@ -205,16 +208,29 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
 std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
                                             const std::optional<Convention>& readAs) {
   const PastedMatrices pasted = findMatrices(file.text);
-  if (pasted.matrices.empty() || !holdsMatricesAlone(file, pasted)) return std::nullopt;
+  const Document* const tree = treeOf(file);
+  const bool areAlone = !tree || othersIn(*tree, pasted.matrices).empty();
+  if (pasted.matrices.empty() || (!areAlone && pasted.matrices.size() < 2)) return std::nullopt;
   using enum ReadingKind;
-  KnownMatrices known(file, source, readAs);
+  KnownMatrices known(readMatrices(file.text, source, file.what(), {readAs, {}, !areAlone && !readAs}));
+  if (!areAlone) {
+    const std::string_view preset = readAs ? "" : presetOf(known.matrices);
+    if (!preset.empty())
+      throw InputError(std::string(file.what()) + "; --read-as " + std::string(preset) +
+                       " reads its matrices as a camera");
+    if (!readAs || !known.only(projection) || !known.stand()) return std::nullopt;
+    noteOthers(*tree, pasted.matrices);
+  }
   // A calibration has a view or a pose beside it, and no more.
-  const std::size_t withPose = known.matrices.size() - (known.only(view) || known.only(ReadingKind::pose) ? 1 : 0);
+  const std::size_t withPose = known.matrices.size() - (known.stand() ? 1 : 0);
   const bool isCalibration = holdsNoOther(pasted) && withPose == 1 && known.calibration();
-  if (isCalibration && !readAs) known = KnownMatrices(file, source, conventions::opencv.convention);
+  if (isCalibration && !readAs) {
+    std::for_each(known.matrices.begin(), known.matrices.end(), keepOfCalibration);
+    known = KnownMatrices(std::move(known.matrices));
+  }
   const ReadMatrix *const calibration = isCalibration ? known.calibration() : nullptr,
                           *const lens = known.only(projection), *const anyView = known.only(view),
-                          *stand = anyView ? anyView : known.only(pose), *product = nullptr;
+                          *stand = known.stand(), *product = nullptr;
   if (!calibration && !(lens && stand)) product = known.only(viewProjection);
   if (!calibration && !lens && !stand && !product) product = known.only(viewProjectionInverse);
   const bool isWhole = calibration || lens || product;
@@ -222,7 +238,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     for (const ReadMatrix& matrix : known.matrices)
       if (matrix.found.readings.empty())
         throw InputError(source + ": " + shownNameOf(matrix) + ": " + matrix.found.fault);
-  if (!isWhole && (!stand || isTree(file))) return std::nullopt;
+  if (!isWhole && (!stand || tree)) return std::nullopt;
   if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
 
   if (stand && lens) known.keepFitting(*stand, *lens);
@@ -261,8 +277,17 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (!others.empty()) note(source + ": not read: " + others);
   if (product) return cameraOfProduct(*product, source + ": " + shownNameOf(*product), readAs.value_or(Convention{}));
   if (!calibration) return writeMatrices(set, "json", source);
-  const bool isP = calibration->found.readings.front().kind == p;
-  OrderedJson camera{{isP ? "P" : "K", numbersOf(calibration->pasted, calibration->found.readings.front().layout)}};
+  const Reading& reading = calibration->found.readings.front();
+  const bool isP = reading.kind == p;
+  if (const double error = reading.pixels->errors[0]; error > 1e-5 * reading.pixels->fx)
+    note(source + ": " + shownNameOf(*calibration) + ": its digits tell fx and fy to " + formatDigits(error, 1) +
+         " pixels");
+  const bool isTurned = reading.layout == MatrixLayout::transposed;
+  OrderedJson camera{{isP ? "P" : "K", rowsOf(calibration->pasted, isTurned)}};
+  if (isTurned && countsFromOne(calibration->pasted) && !stand)  // in the form of MATLAB
+    camera = {{"IntrinsicMatrix", rowsOf(calibration->pasted, false)},
+              {"RadialDistortion", {0, 0}},
+              {"TangentialDistortion", {0, 0}}};
   if (stand) camera[anyView ? "w2c" : "c2w"] = set.matrices.front().matrix.m;
   return camera.dump();
 }

@@ -16,10 +16,16 @@ namespace viewproj::cmd {
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world);
 
+/// The preset by which the matrices of a text, a projection and a view or pose, are read as a camera; or empty.
+std::string_view presetOf(const std::vector<ReadMatrix>& matrices);
+
+/// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others info tells.
+void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices);
+
 /// What the matrices in the text of a file make, in JSON: a view, or its inverse, and a projection as a file of
 /// matrices; a view-projection, or its inverse, as a camera; K or P in pixels, with a view, as a calibration. Nothing
-/// where the text has none of these, or a tree has other numbers too. Throws InputError where they can be read in
-/// several ways.
+/// where the text has none of these. Throws InputError where they can be read in several ways, or where a tree has
+/// other numbers too and no convention is given.
 std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
                                             const std::optional<Convention>& readAs);
 

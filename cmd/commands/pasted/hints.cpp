@@ -9,7 +9,6 @@
 namespace viewproj::cmd {
 namespace {
 
-using pasted::isAmong;
 using pasted::isOneOf;
 struct Word {
   std::string text;
@@ -27,9 +26,9 @@ Words wordsOf(std::string_view text) {
     const bool isUpper = c >= 'A' && c <= 'Z', isPart = isLetter(c) || isDigit(c);
     const bool begins = (isUpper && ((last >= 'a' && last <= 'z') || isDigit(last))) ||
                         (c == '2' && isLetter(last) && isLetter(next)) || (words.back().text == "2" && isLetter(c));
-    const bool isEnd = isAmong(c, ".,;:!?");
+    const bool isEnd = pasted::isAmong(c, ".,;:!?");
     if ((!isPart || begins) && !words.back().text.empty()) words.emplace_back();
-    isApart = isPart ? isApart : !isAmong(c, "_-");
+    isApart = isPart ? isApart : !pasted::isAmong(c, "_-");
     if (isPart && words.back().text.empty()) words.back().isApart = std::exchange(isApart, false);
     if (isPart) words.back().text += isUpper ? static_cast<char>(c - 'A' + 'a') : c;
     if (isEnd) words.insert(words.end() - 1, {"."});
@@ -174,15 +173,15 @@ KindHint hintIn(std::string_view text, bool isName) {
     hint = lastHint(joined, {kWeakWords}, isName);
     hint.weight = kWeakly;
   }
+  const auto has = [&](std::initializer_list<const char*> all) {
+    return std::any_of(all.begin(), all.end(), [&](const char* word) { return joined.find(word) != joined.npos; });
+  };
   // w2c is OpenCV's, as camera libraries of neural rendering write it; 3DGS has it transposed as world_view_transform.
-  for (const char* word :
-       {"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr", "_world_view_transform", "_full_proj_transform"})
-    isOfVision = isOfVision || joined.find(word) != std::string::npos;
-  for (const char* word : {"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})
-    if (joined.find(word) != std::string::npos) hint.axes = ViewAxes::RUF;
+  hint.isTransposed = has({"_world_view_transform", "_full_proj_transform"});
+  isOfVision = isOfVision || hint.isTransposed || has({"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"});
+  if (has({"_simd", "_arkit", "_arframe", "_arcamera"})) hint.axes = ViewAxes::RUB;
+  if (has({"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})) hint.axes = ViewAxes::RUF;
   if (isOfVision) hint.axes = ViewAxes::RDF;
-  hint.isTransposed =
-      joined.find("_world_view_transform") != joined.npos || joined.find("_full_proj_transform") != joined.npos;
   return hint;
 }
 
@@ -203,6 +202,10 @@ KindHint hintOf(const PastedMatrix& m) {
       return hint;
     }
   return around;
+}
+
+bool countsFromOne(const PastedMatrix& m) {
+  return !m.isByColumns && (m.context + m.name).find("IntrinsicMatrix") != std::string::npos;
 }
 
 }  // namespace viewproj::cmd

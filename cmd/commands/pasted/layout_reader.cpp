@@ -1,13 +1,10 @@
-#include "commands/pasted/layout_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "camera/plain_vectors.hpp"
 #include "camera/split_matrix.hpp"
-#include "commands/pasted/matrix_algebra.hpp"
-#include "commands/pasted/printed_digits.hpp"
+#include "commands/pasted/reading_parts.hpp"
 #include "numbers/vectors.hpp"
 #include "text/number.hpp"
 
@@ -76,7 +73,9 @@ class LayoutReader {
       for (std::size_t j = 0; j < 4; ++j)
         each[i][j] = each[i][j] / (1 - most) + ((*inverse)[i][j] != 0 ? 0x1p-52 * rounded[i][j] : 0);
     for (const MatrixCamera& c : cameras(*inverse, each))
-      if (c.lens) addCamera(c).kind = c.pose ? ReadingKind::viewProjectionInverse : ReadingKind::projectionInverse;
+      if (c.lens)
+        addCamera(c, *inverse, each).kind =
+            c.pose ? ReadingKind::viewProjectionInverse : ReadingKind::projectionInverse;
   }
 
   std::string fault;
@@ -104,6 +103,7 @@ class LayoutReader {
     Reading& r = add(ReadingKind::rotation);
     r.rows = {rowOf(m_, 0), rowOf(m_, 1), rowOf(m_, 2)};
     r.isMirrored = determinant(m_) < 0;
+    r.axesError = axesError(m_, errors_, 2);
   }
 
   /// K: zeros below the diagonal, none on it. Signs are axes.
@@ -111,13 +111,19 @@ class LayoutReader {
     const double below = std::max({std::fabs(m_[1][0]), std::fabs(m_[2][0]), std::fabs(m_[2][1])});
     if (!(below <= 1e-12 * largestOf(absolute(m_)) && m_[0][0] != 0 && m_[1][1] != 0 && m_[2][2] != 0)) return false;
     static constexpr std::string_view kAxes[] = {"RDF", "RDB", "RUF", "RUB", "LDF", "LDB", "LUF", "LUB"};
-    const double size = std::fabs(m_[2][2]);
+    const bool isOne = std::fabs(std::fabs(m_[2][2]) - 1) <= laid_.printed[2][2];
+    const double last = isOne ? std::copysign(1, m_[2][2]) : m_[2][2], size = std::fabs(last),
+                 lastError = isOne ? 0 : laid_.printed[2][2];
+    const auto errorOf = [&](std::size_t i, std::size_t j) {
+      return (laid_.printed[i][j] + std::fabs(m_[i][j]) / size * lastError) / (size - lastError);
+    };
     add(ReadingKind::k).pixels = PixelLens{std::fabs(m_[0][0]) / size,
                                            std::fabs(m_[1][1]) / size,
-                                           m_[0][2] / m_[2][2],
-                                           m_[1][2] / m_[2][2],
+                                           m_[0][2] / last,
+                                           m_[1][2] / last,
                                            m_[0][1] / size,
-                                           kAxes[4 * (m_[0][0] < 0) + 2 * (m_[1][1] < 0) + (m_[2][2] < 0)]};
+                                           kAxes[4 * (m_[0][0] < 0) + 2 * (m_[1][1] < 0) + (last < 0)],
+                                           {errorOf(0, 0), errorOf(1, 1), errorOf(0, 2), errorOf(1, 2)}};
     return true;
   }
 
@@ -134,13 +140,19 @@ class LayoutReader {
     Reading r;
     r.kind = ReadingKind::p;
     r.layout = laid_.layout;
-    r.pixels = PixelLens{split.fx.hi, split.fy.hi, split.cx.hi, split.cy.hi, split.skew.hi, {}};
+    const double more = margin(m_, errors_), w = length(rowOf(m_, 2)), wError = length(rowOf(errors_, 2)) / w;
+    const auto errorOf = [&](std::size_t i, double value) {
+      return more * (length(rowOf(errors_, i)) / w + (length(rowOf(m_, i)) / w + 2 * std::fabs(value)) * wError);
+    };
+    const double fx = split.fx.hi, fy = split.fy.hi, cx = split.cx.hi, cy = split.cy.hi;
+    r.pixels =
+        PixelLens{fx, fy, cx, cy, split.skew.hi, {}, {errorOf(0, fx), errorOf(1, fy), errorOf(0, cx), errorOf(1, cy)}};
+    r.axesError = axesError(m_, errors_, 2, true);
     for (std::size_t i = 0; i < 3; ++i) r.rows[i] = detail::rounded(split.columns[i]);
     r.isMirrored = volume < 0 && m_[2] == std::array<double, 4>{0, 0, 1, 0};
     r.eye = detail::rounded(split.eye);
     const Vec3 columns[] = {crossOf(rowOf(m_, 1), rowOf(m_, 2)), crossOf(rowOf(m_, 2), rowOf(m_, 0)),
                             crossOf(rowOf(m_, 0), rowOf(m_, 1))};
-    const double more = 1 / std::max(1 - 4 * rowError(), 0.05);
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 e = rowOf(errors_, i), eye = *r.eye;
       const double off = dot(e, Vec3{std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) + errors_[i][3];
@@ -149,18 +161,33 @@ class LayoutReader {
     return r;
   }
 
-  /// The largest error of a row over its length.
-  double rowError() const {
+  /// The largest error of a number in a row over the row's length.
+  static double rowError(const Mat4& m, const Mat4& errors) {
     double error = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      if (const double size = length(rowOf(m_, i)); size > 0) error = std::max(error, length(rowOf(errors_, i)) / size);
+      if (const double size = length(rowOf(m, i)); size > 0) error = std::max(error, maxAbs(rowOf(errors, i)) / size);
     return error;
+  }
+  /// What is more than first order in errors.
+  static double margin(const Mat4& m, const Mat4& errors) { return 1 / std::max(1 - 7 * rowError(m, errors), 0.05); }
+
+  /// How far each number of the axes may be off that rows x, y and w have: at right angles, or, where x and y have w in
+  /// them, what is left of them.
+  static double axesError(const Mat4& m, const Mat4& errors, std::size_t w, bool isLens = false) {
+    const Vec3 along = rowOf(m, w);
+    const double share = length(rowOf(errors, w)) / length(along);
+    Vec3 each{0, 0, share};
+    for (const std::size_t i : {0U, 1U}) {
+      const Vec3 row = rowOf(m, i);
+      const double size = isLens ? length(crossOf(row, along)) / length(along) : length(row);
+      each[i] = (length(rowOf(errors, i)) + (isLens ? 2 * length(row) * share : 0)) / size;
+    }
+    return margin(m, errors) * length(each);
   }
 
   bool hasSkew(const PixelLens& lens, double share) const {
     const double size = std::max({lens.fx, lens.fy, std::fabs(lens.cx), std::fabs(lens.cy)});
-    return std::fabs(lens.skew) >
-           std::max(6 * std::numbers::sqrt3 * rowError() * size, share * std::max(lens.fx, lens.fy));
+    return std::fabs(lens.skew) > std::max(18 * rowError(m_, errors_) * size, share * std::max(lens.fx, lens.fy));
   }
 
   void readThree() {
@@ -180,7 +207,7 @@ class LayoutReader {
       fault = "it is no K [R | t]: its left 3x3 has no inverse";
   }
 
-  Reading& addCamera(const MatrixCamera& camera, double scaledBy = 1) {
+  Reading& addCamera(const MatrixCamera& camera, const Mat4& m, const Mat4& errors, double scaledBy = 1) {
     constexpr ReadingKind kKinds[] = {ReadingKind::projection, ReadingKind::view, ReadingKind::pose,
                                       ReadingKind::viewProjection};
     Reading& r = add(kKinds[static_cast<std::size_t>(camera.kind)]);
@@ -189,15 +216,25 @@ class LayoutReader {
     r.scaledBy = scaledBy;
     r.isCentred = scaledBy == 1 && !camera.lens && isCentred(r.kind);
     if (camera.pose) r.rise = riseOf(*camera.pose);
+    const bool isLens = camera.lens && !camera.lens->orthographic;
+    if (camera.pose) r.axesError = axesError(m, errors, isLens ? 3 : 2, isLens);
+    // The edges are (-1 - m02) / m00 and (1 - m02) / m00, and likewise across y.
+    if (!camera.pose && isLens) {
+      const auto errorOf = [&](std::size_t i, double low, double high) {
+        const double edge = std::max(std::fabs(low), std::fabs(high));
+        return (errors[i][2] + edge * errors[i][i]) /
+               std::max(std::fabs(m[i][i]) - errors[i][i], 0.05 * std::fabs(m[i][i]));
+      };
+      r.edgeError = {errorOf(0, camera.lens->left, camera.lens->right),
+                     errorOf(1, camera.lens->bottom, camera.lens->top)};
+    }
     return r;
   }
 
   /// Of up along y or z, the larger of those that the picture's rows do not follow.
   double riseOf(const Pose& pose) const {
-    double error = 1e-6, rise = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const double size = length(rowOf(m_, i)); size > 0)
-        error = std::max(error, 4 * maxAbs(rowOf(errors_, i)) / size);
+    const double error = std::max(1e-6, 4 * rowError(m_, errors_));
+    double rise = 0;
     for (const std::size_t axis : {1U, 2U})
       if (std::fabs(pose.right()[axis]) <= error && std::fabs(pose.up()[axis]) > std::fabs(rise))
         rise = pose.up()[axis];
@@ -238,11 +275,11 @@ class LayoutReader {
     if (isPose && !isPlaced) addRotation();
     const double scale = scaleOfPose(all);
     if (scale != 1) addScaledPoses(scale);
-    for (const MatrixCamera& c : all) addCamera(c).isUniform = scale != 1;
+    for (const MatrixCamera& c : all) addCamera(c, m_, errors_).isUniform = scale != 1;
     if (isAffine && all.empty()) {
       if (!isPlaced && addK()) return;
       const auto p = readP();
-      if (p && std::min(p->pixels->fx, p->pixels->fy) > kFewestPixels && rowError() < kBlind / 2 &&
+      if (p && std::min(p->pixels->fx, p->pixels->fy) > kFewestPixels && rowError(m_, errors_) < kBlind / 4 &&
           !hasSkew(*p->pixels, 1e-3) && p->pixels->fx < 5 * p->pixels->fy && p->pixels->fy < 5 * p->pixels->fx)
         found_.push_back(*p);
     }
@@ -253,14 +290,8 @@ class LayoutReader {
   /// The length of rows that are at right angles and as long as each other, turned; else 1.
   double scaleOfPose(const std::vector<MatrixCamera>& all) const {
     if (all.empty() || all.front().kind != MatrixKind::viewProjection || !all.front().lens->orthographic) return 1;
-    double least = HUGE_VAL, most = 0, turn = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double size = length(rowOf(m_, i));
-      least = std::min(least, size);
-      most = std::max(most, size);
-      turn = std::max(turn, maxAbs(rowOf(errors_, i)) / size);
-    }
-    return !isDiagonal(m_) && most / least < 1 + tolerance(turn) && all.front().scale == 1
+    const auto [least, most] = std::minmax({length(rowOf(m_, 0)), length(rowOf(m_, 1)), length(rowOf(m_, 2))});
+    return !isDiagonal(m_) && most / least < 1 + tolerance(rowError(m_, errors_)) && all.front().scale == 1
                ? std::cbrt(std::fabs(determinant(m_)))
                : 1;
   }
@@ -273,7 +304,7 @@ class LayoutReader {
           m[i][j] /= scale;
           errors[i][j] /= scale;
         }
-      for (const MatrixCamera& c : cameras(m, errors, kind)) addCamera(c, scale);
+      for (const MatrixCamera& c : cameras(m, errors, kind)) addCamera(c, m, errors, scale);
     }
   }
 
@@ -285,8 +316,8 @@ class LayoutReader {
     if (!(2 / width > kFewestPixels && 2 / height > kFewestPixels)) return false;
     if (c.scale != 1 && !(c.kind == MatrixKind::viewProjection && std::fabs(width / height - 1) < 0.02)) return false;
     Reading& r = add(c.kind == MatrixKind::projection ? ReadingKind::k : ReadingKind::p);
-    r.pixels =
-        PixelLens{2 / width, 2 / height, -(lens.left + lens.right) / width, -(lens.bottom + lens.top) / height, 0, {}};
+    r.pixels = PixelLens{
+        2 / width, 2 / height, -(lens.left + lens.right) / width, -(lens.bottom + lens.top) / height, 0, {}, {}};
     r.eye = c.pose ? c.pose->eye() : Vec3{};
     r.eyeError = c.eyeError;
     if (c.pose) r.rows = {c.pose->right(), c.pose->up(), c.pose->forward()};
@@ -341,15 +372,11 @@ std::string typedWrong(const LaidOut& laid) {
       const double off = std::max({std::fabs(dot(a, b)), std::fabs(dot(a, a) - 1), std::fabs(dot(b, b) - 1)});
       for (const double sign : {1.0, -1.0}) {
         const Vec3 right = scaled(crossOf(a, b), sign), away = sum(rowOf(m, k), -1, right);
-        std::size_t wrong = 0, count = 0;
+        const auto isOff = [&](std::size_t j, double least) { return std::fabs(away[j % 3]) > least; };
         for (std::size_t j = 0; j < 3; ++j)
-          if (std::fabs(away[j]) > allowed) {
-            wrong = j;
-            ++count;
-          }
-        if (off <= allowed && count == 1 && std::fabs(away[wrong]) > 10 * allowed)
-          return (byColumns ? "column " : "row ") + std::to_string(k + 1) + " has " + formatDigits(m[k][wrong], 6) +
-                 " where " + formatDigits(right[wrong], 3) + " would make it a rotation";
+          if (off <= allowed && isOff(j, 10 * allowed) && !isOff(j + 1, allowed) && !isOff(j + 2, allowed))
+            return (byColumns ? "column " : "row ") + std::to_string(k + 1) + " has " + formatDigits(m[k][j], 6) +
+                   " where " + formatDigits(right[j], 3) + " would make it a rotation";
       }
     }
   }

@@ -1,11 +1,9 @@
-#include "commands/pasted/reading_order.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "camera/plain_vectors.hpp"
-#include "commands/pasted/layout_reader.hpp"
+#include "commands/pasted/reading_parts.hpp"
 #include "numbers/vectors.hpp"
 #include "text/number.hpp"
 
@@ -86,18 +84,12 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   return cost;
 }
 
-/// Whether a convention has a world, and a direction of depth, that the reading has not.
-bool differs(const Reading& r, const Convention& c) {
-  return (r.camera->kind != MatrixKind::projection && c.world != r.camera->convention.world) ||
-         (r.camera->lens && r.camera->lens->depthFault.empty() && c.reverseZ != r.camera->convention.reverseZ);
-}
-
 /// Whether presets have all of a reading but for its world or reverseZ, and none has all of it.
 bool isPresetExcept(const Reading& r, bool isInMemoryOrder) {
   bool isAlmost = false;
   for (const ConventionPreset& preset : conventionPresets()) {
     if (!fits(r, preset.convention, isInMemoryOrder)) continue;
-    if (!differs(r, preset.convention)) return false;
+    if (differences(r, preset.convention).empty()) return false;
     isAlmost = true;
   }
   return isAlmost;

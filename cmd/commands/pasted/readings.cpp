@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/pasted/layout_reader.hpp"
-#include "commands/pasted/matrix_algebra.hpp"
-#include "commands/pasted/printed_digits.hpp"
-#include "commands/pasted/reading_order.hpp"
+#include "commands/pasted/reading_parts.hpp"
 
 namespace viewproj::cmd {
-namespace {
-
-bool isTurned(Vectors vectors, Storage storage) {
-  return (vectors == Vectors::row) != (storage == Storage::columnMajor);
-}
-
-}  // namespace
-
 Mat4 matrixOf(const PastedMatrix& pasted, MatrixLayout layout) {
   return laidOut(pasted, std::vector<double>(pasted.numbers.size()), layout).m;
 }
@@ -44,14 +33,10 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
     if (const std::string typed = typedWrong(laid); !typed.empty() && layout == layouts.front()) result.fault = typed;
   }
   // A camera without depth, and then a multiple of one, only where nothing else fits.
-  const auto hasNoDepth = [](const Reading& r) {
-    return r.camera && r.camera->lens && !r.camera->lens->depthFault.empty();
-  };
-  const auto isMultiple = [](const Reading& r) {
-    return r.camera && r.camera->lens && !r.camera->lens->orthographic && r.camera->scale != 1;
-  };
-  if (!std::all_of(readings.begin(), readings.end(), hasNoDepth)) std::erase_if(readings, hasNoDepth);
-  if (!std::all_of(readings.begin(), readings.end(), isMultiple)) std::erase_if(readings, isMultiple);
+  prefer(readings, [](const Reading& r) { return !r.camera || !r.camera->lens || r.camera->lens->depthFault.empty(); });
+  prefer(readings, [](const Reading& r) {
+    return !r.camera || !r.camera->lens || r.camera->lens->orthographic || r.camera->scale == 1;
+  });
   KindHint hint = hintOf(pasted);
   hint.areAxesOfK = !hint.axes && isBesideK;
   if (hint.areAxesOfK) hint.axes = ViewAxes::RDF;
@@ -80,22 +65,27 @@ bool fits(const Reading& reading, const Convention& c, bool isInMemoryOrder) {
   if (r.lens && ((r.lens->depthFault.empty() && c.ndcZ != r.convention.ndcZ) || c.ndcY != r.convention.ndcY))
     return false;
   if (r.kind != MatrixKind::viewProjection && c.view != r.convention.view) return false;
-  const bool turned = reading.layout == MatrixLayout::transposed;
-  return reading.layout == MatrixLayout::either || isTurned(c.vectors, c.storage) == turned ||
-         (!isInMemoryOrder && (c.vectors == Vectors::row) == turned);
+  const bool isTurned = reading.layout == MatrixLayout::transposed, isOfRows = c.vectors == Vectors::row;
+  return reading.layout == MatrixLayout::either || (isOfRows != (c.storage == Storage::columnMajor)) == isTurned ||
+         (!isInMemoryOrder && isOfRows == isTurned);
+}
+
+std::vector<std::string> differences(const Reading& r, const Convention& c) {
+  std::vector<std::string> names;
+  if (!r.camera) return names;
+  if (r.camera->kind != MatrixKind::projection && c.world != r.camera->convention.world) names.emplace_back("world");
+  if (r.camera->lens && r.camera->lens->depthFault.empty() && c.reverseZ != r.camera->convention.reverseZ)
+    names.emplace_back("reverseZ");
+  return names;
 }
 
 std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& c, bool isInMemoryOrder) {
   std::erase_if(readings, [&](const Reading& r) { return !fits(r, c, isInMemoryOrder); });
-  const auto isOwn = [&](const Reading& r) {
-    return !r.camera || ((!r.camera->lens || r.camera->convention.reverseZ == c.reverseZ) &&
-                         (!r.camera->pose || r.camera->convention.world == c.world));
-  };
-  for (const auto& [name, kind] : kReadingKinds) {
-    const auto isOfKind = [kind = kind](const Reading& r) { return r.kind == kind; };
-    if (std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return isOfKind(r) && isOwn(r); }))
-      std::erase_if(readings, [&](const Reading& r) { return isOfKind(r) && !isOwn(r); });
-  }
+  const auto isOwn = [&](const Reading& r) { return differences(r, c).empty(); };
+  std::array<bool, std::size(kReadingKinds)> haveOwn{};
+  const auto has = [&](const Reading& r) -> bool& { return haveOwn[static_cast<std::size_t>(r.kind)]; };
+  for (const Reading& r : readings) has(r) = has(r) || isOwn(r);
+  std::erase_if(readings, [&](const Reading& r) { return has(r) && !isOwn(r); });
   return readings;
 }
 

@@ -1,8 +1,10 @@
 // What a pasted matrix can be: a camera's matrix, a calibration, a rotation; the likeliest first.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +41,8 @@ inline constexpr NameRow<ReadingKind> kReadingKinds[] = {{"projection", ReadingK
 /// Focal lengths and principal point, in pixels or, below 20, in half widths. Their signs are axes.
 struct PixelLens {
   double fx = 0, fy = 0, cx = 0, cy = 0, skew = 0;
-  std::string_view axes;  ///< of a K: "RDF"
+  std::string_view axes;           ///< of a K: "RDF"
+  std::array<double, 4> errors{};  ///< of fx, fy, cx, cy
 };
 
 struct Reading {
@@ -50,6 +53,8 @@ struct Reading {
   std::array<Vec3, 3> rows = {};            ///< of a P: right, down, forward; of a rotation its own
   std::optional<Vec3> eye = {};             ///< of a P
   Vec3 eyeError = {};
+  double axesError = 0;     ///< how far each number of right, up and forward, or of a rotation, may be off
+  Vec2 edgeError = {};      ///< of a projection: how far tan of the angles to its edges may be off, across and up
   bool isMirrored = false;  ///< of a P or rotation
   double scaledBy = 1;      ///< of a view or pose: the rotation times this
   bool isCentred = false;   ///< of a view or pose: the camera looks at the world's origin
@@ -70,6 +75,14 @@ inline constexpr double kSpoken = 20;
 /// Fields of view, in degrees, beyond which a lens is unusual.
 inline constexpr double kNarrowFov = 4, kWideFov = 120;
 KindHint hintOf(const PastedMatrix& matrix);
+/// Whether pixels begin at 1 in the programs that have its name.
+bool countsFromOne(const PastedMatrix& matrix);
+
+/// Keeps the readings that are better, where some are.
+template <class IsBetter>
+void prefer(std::vector<Reading>& readings, IsBetter isBetter) {
+  if (std::any_of(readings.begin(), readings.end(), isBetter)) std::erase_if(readings, std::not_fn(isBetter));
+}
 
 struct MatrixReadings {
   bool isFloat = false;           ///< each entry prints like the float32 next to it
@@ -86,6 +99,9 @@ Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
 /// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which
 /// follow from the matrix and the rest. A calibration and a rotation have no convention.
 bool fits(const Reading& reading, const Convention& convention, bool isInMemoryOrder);
+
+/// "world", "reverseZ": which of the two a convention has otherwise.
+std::vector<std::string> differences(const Reading& reading, const Convention& convention);
 
 /// The readings that a convention allows; of each kind those of its own world and depth alone where there are such.
 std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& convention, bool isInMemoryOrder);

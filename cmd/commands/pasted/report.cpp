@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "camera/plain_camera.hpp"
-#include "commands/pasted/reading_order.hpp"
+#include "commands/pasted/reading_parts.hpp"
+#include "formats/words.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -18,7 +19,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr std::size_t kLongestName = 40;
 constexpr std::size_t kFewest = 9;  ///< fewer numbers are nothing that nearly is a matrix
 constexpr NameRow<MatrixLayout> kLayoutNames[] = {{"as written", MatrixLayout::asWritten},
                                                   {"transposed", MatrixLayout::transposed},
@@ -38,14 +38,10 @@ OrderedJson axesOf(const Reading& reading) {
   return axes;
 }
 
-OrderedJson withError(const Vec3& value, const Vec3& error) {
-  return {{"value", asJson(value)}, {"error", asJson(error)}};
-}
-
 /// The angle between two edges, in degrees.
 double angleOf(double low, double high) { return (std::atan(high) - std::atan(low)) * kDegrees; }
 
-OrderedJson lensJson(const MatrixLens& lens) {
+OrderedJson lensJson(const MatrixLens& lens, const Vec2& edgeError) {
   const double width = lens.right - lens.left, height = lens.top - lens.bottom;
   const auto plane = [](const PlaneDistance& d) -> OrderedJson {
     return {{"value", d.value}, {"low", d.low}, {"high", d.high}};
@@ -59,6 +55,16 @@ OrderedJson lensJson(const MatrixLens& lens) {
   part.update({{"aspect", width / height},
                {"window", {{"left", lens.left}, {"right", lens.right}, {"bottom", lens.bottom}, {"top", lens.top}}},
                {"principalPoint", {-lens.left / width, lens.top / height}}});
+  const auto isOff = [](double low, double high) { return std::fabs(low + high) > 1e-6 * (high - low); };
+  if (edgeError.x > 0 && (isOff(lens.left, lens.right) || isOff(lens.bottom, lens.top))) {
+    const auto edge = [](double at, double error) -> OrderedJson {
+      return {{"value", std::atan(at) * kDegrees}, {"error", error / (1 + at * at) * kDegrees}};
+    };
+    part.update({{"angleLeft", edge(lens.left, edgeError.x)},
+                 {"angleRight", edge(lens.right, edgeError.x)},
+                 {"angleUp", edge(lens.top, edgeError.y)},
+                 {"angleDown", edge(lens.bottom, edgeError.y)}});
+  }
   const bool hasDepth = lens.depthFault.empty();
   part.update({{"near", hasDepth ? plane(lens.zNear) : OrderedJson()},
                {"far", hasDepth ? plane(lens.zFar) : OrderedJson()},
@@ -67,16 +73,25 @@ OrderedJson lensJson(const MatrixLens& lens) {
   return part;
 }
 
-/// Of a mirrored one that of its negative.
-OrderedJson rotationJson(const Reading& r) {
+/// Of a rotation's rows; of those of a mirrored one that of its negative.
+std::array<double, 4> turnOf(const Reading& r) {
   const double sign = r.isMirrored ? -1 : 1;
   PlainColumns columns;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) columns[j][i] = sign * r.rows[i][j];
-  const std::array<double, 4> q = quaternionOf(columns);
+  return quaternionOf(columns);
+}
+
+/// How far the angle of a turn may be off, in radians: numbers that are off by so much in all are off by sqrt(2) of it.
+double turnError(const Reading& r) { return r.axesError / std::numbers::sqrt2; }
+
+OrderedJson rotationJson(const Reading& r, OrderedJson& errors) {
+  const std::array<double, 4> q = turnOf(r);
   const double size = std::hypot(q[0], q[1], q[2]);
   OrderedJson axis;
   if (size > 0) axis = {q[0] / size, q[1] / size, q[2] / size};
+  errors = {{"quaternion", turnError(r) / 2}, {"degrees", turnError(r) * kDegrees}};
+  if (size > 0) errors["axis"] = std::min(turnError(r) / 2 / size, 2.0);
   return {{"quaternion", q},
           {"axis", axis},
           {"degrees", 2 * std::atan2(size, q[3]) * kDegrees},
@@ -89,17 +104,19 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
                      {"convention", axesOf(r)},
                      {"presets", OrderedJson::array()},
                      {"presetsOtherwise", OrderedJson::array()}};
-  if (r.kind == ReadingKind::rotation) result.update(rotationJson(r));
+  OrderedJson errors = OrderedJson::object();
+  if (r.kind == ReadingKind::rotation) result.update(rotationJson(r, errors));
   if (r.pixels) {
-    result.update({{"fx", r.pixels->fx},
-                   {"fy", r.pixels->fy},
-                   {"cx", r.pixels->cx},
-                   {"cy", r.pixels->cy},
-                   {"skew", r.pixels->skew}});
-    if (!r.pixels->axes.empty()) result["axes"] = r.pixels->axes;
+    const auto& [fx, fy, cx, cy, skew, axes, pixelErrors] = *r.pixels;
+    result.update({{"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}, {"skew", skew}});
+    for (std::size_t i = 0; i < 4; ++i) errors[std::array{"fx", "fy", "cx", "cy"}[i]] = pixelErrors[i];
+    if (!axes.empty()) result["axes"] = axes;
   }
+  if (r.kind == ReadingKind::p || (r.camera && r.camera->pose))
+    for (const char* axis : {"right", r.kind == ReadingKind::p ? "down" : "up", "forward"}) errors[axis] = r.axesError;
+  if (!errors.empty()) result["errors"] = errors;
   if (r.kind == ReadingKind::p)
-    result.update({{"eye", withError(*r.eye, r.eyeError)},
+    result.update({{"eye", {{"value", asJson(*r.eye)}, {"error", asJson(r.eyeError)}}},
                    {"right", asJson(r.rows[0])},
                    {"down", asJson(r.rows[1])},
                    {"forward", asJson(r.rows[2])}});
@@ -107,71 +124,81 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
   const MatrixCamera& camera = *r.camera;
   for (const ConventionPreset& preset : conventionPresets()) {
     if (!fits(r, preset.convention, isInMemoryOrder)) continue;
-    OrderedJson differs = OrderedJson::array();
-    if (camera.kind != MatrixKind::projection && preset.convention.world != camera.convention.world)
-      differs.push_back("world");
-    if (camera.lens && camera.lens->depthFault.empty() && preset.convention.reverseZ != camera.convention.reverseZ)
-      differs.push_back("reverseZ");
+    const std::vector<std::string> differs = differences(r, preset.convention);
     if (differs.empty())
       result["presets"].push_back(preset.name);
     else
       result["presetsOtherwise"].push_back({{"name", preset.name}, {"differs", differs}});
   }
   if (camera.pose) {
-    if (!(camera.lens && camera.lens->orthographic)) result["eye"] = withError(camera.pose->eye(), camera.eyeError);
+    if (!(camera.lens && camera.lens->orthographic))
+      result["eye"] = {{"value", asJson(camera.pose->eye())}, {"error", asJson(camera.eyeError)}};
     result.update({{"right", asJson(camera.pose->right())},
                    {"up", asJson(camera.pose->up())},
                    {"forward", asJson(camera.pose->forward())}});
   }
-  if (camera.lens) result.update(lensJson(*camera.lens));
+  if (camera.lens) result.update(lensJson(*camera.lens, r.edgeError));
   if (camera.scale != 1) result["scale"] = camera.scale;
   if (r.scaledBy != 1) result["scaledBy"] = r.scaledBy;
   return result;
 }
 
-/// The turn of a rotation, a view or a pose as angles of this order: {"order", "degrees"}; of a rotation both as it
-/// takes the camera to the world and as it takes the world to the camera. Null for any other reading, and where the
-/// order's axes are of another world.
+/// The turn of a rotation, a view or a pose as angles of this order: {"order", "degrees", "errors"}; of a rotation both
+/// as it takes the camera to the world and as it takes the world to the camera. Null for any other reading, and where
+/// the order's axes are of another world.
 OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
-  const auto degreesOf = [&](const Pose& pose, CameraAxes axes) {
-    Vec3 degrees = eulerDegreesOf(plainPose(pose), order.second, axes);
+  OrderedJson angles{{"order", order.first}}, errors;
+  const auto add = [&](const char* name, const Pose& pose, CameraAxes axes) {
+    const auto degreesOf = [&](const Pose& each) { return eulerDegreesOf(plainPose(each), order.second, axes); };
+    Vec3 degrees = degreesOf(pose), error;
+    const std::array<double, 4> q = quaternionOf(worldFromCamera(plainPose(pose), axes).columns);
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::array<double, 4> turned = q;
+      turned[k] += turnError(r) / 2;
+      const Vec3 moved = degreesOf(poseFromRotation({}, {turned[0], turned[1], turned[2], turned[3]}, axes));
+      for (std::size_t i = 0; i < 3; ++i) error[i] = std::hypot(error[i], std::remainder(moved[i] - degrees[i], 360));
+    }
     for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
-    return asJson(degrees);
+    angles[name] = asJson(degrees);
+    errors[name] = asJson(error);
+    angles["errors"] = errors;
   };
   if (r.kind == ReadingKind::rotation && !r.isMirrored) {
-    PlainColumns columns;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) columns[j][i] = r.rows[i][j];
-    const auto [x, y, z, w] = quaternionOf(columns);
+    const auto [x, y, z, w] = turnOf(r);
     const CameraAxes axes = order.second.cameraAxes.value_or(CameraAxes::RUB);  // which turn: one matrix in any axes
-    return {{"order", order.first},
-            {"worldFromCamera", degreesOf(poseFromRotation({}, {x, y, z, w}, axes), axes)},
-            {"cameraFromWorld", degreesOf(poseFromRotation({}, {-x, -y, -z, w}, axes), axes)}};
+    add("worldFromCamera", poseFromRotation({}, {x, y, z, w}, axes), axes);
+    add("cameraFromWorld", poseFromRotation({}, {-x, -y, -z, w}, axes), axes);
+    return angles;
   }
   if (!r.camera || !r.camera->pose || r.camera->lens) return nullptr;
   const Pose& pose = *r.camera->pose;
-  const ViewAxes view = r.camera->convention.view;
-  const CameraAxes own = view == ViewAxes::RUB   ? CameraAxes::RUB
-                         : view == ViewAxes::RUF ? CameraAxes::RUF
-                                                 : CameraAxes::RDF;
+  const CameraAxes own = valueOf(kCameraAxesNames, nameOf(kViewNames, r.camera->convention.view));
   const CameraAxes axes = order.second.cameraAxes.value_or(own);
   if (poseFromRotation({}, {}, axes).world() != pose.world()) return nullptr;
-  return {{"order", order.first}, {"degrees", degreesOf(pose, axes)}};
+  add("degrees", pose, axes);
+  return angles;
 }
 
 // ---- Notes
 
 /// What looks wrong, or is easily taken for something else, in the likeliest reading.
-std::vector<std::string> notesOn(const Reading& r) {
+std::vector<std::string> notesOn(const Reading& r, const PastedMatrix& m) {
   std::vector<std::string> notes;
+  const bool isTurned = r.layout == MatrixLayout::transposed;
+  const Mat4 read = matrixOf(m, r.layout);
+  for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns) && (isTurned ? m.columns : m.rows) == 4; ++j)
+    if (const double entry = isTurned ? m.at(j, 3) : m.at(3, j); entry != read[3][j] && notes.empty())
+      notes.push_back("Its last " + std::string(isTurned ? "column" : "row") + " has " + formatDigits(entry, 3) +
+                      ", which rounding left and counts as 0.");
   if (r.scaledBy != 1)
     notes.push_back("Its axes have the length " + formatDigits(r.scaledBy, 6) +
                     ", not 1: it scales too, as an object's does.");
   if (r.isMirrored) notes.emplace_back("It is mirrored: one axis is flipped.");
   if (r.kind == ReadingKind::k || r.kind == ReadingKind::p)
     notes.emplace_back(
-        r.pixels->fx < 20
-            ? "It is not in pixels, but in half widths or in pictures."
+        r.pixels->fx < kFewestPixels ? "It is not in pixels, but in half widths or in pictures."
+        : countsFromOne(m)
+            ? "MATLAB's pixels begin at 1, as a camera made of it has them: viewport.pixelCenter 1."
             : "It says neither how large the picture is nor where a pixel's centre lies: in OpenCV at whole numbers "
               "(viewport.pixelCenter 0), elsewhere often at halves.");
   if (r.pixels && std::fabs(r.pixels->skew) > 1e-6 * r.pixels->fx)
@@ -193,7 +220,7 @@ std::vector<std::string> notesOn(const Reading& r) {
   if (!lens.depthFault.empty()) notes.push_back("Of its depth nothing is known: " + lens.depthFault + ".");
   const double fov = angleOf(lens.bottom, lens.top), aspect = (lens.right - lens.left) / (lens.top - lens.bottom);
   const bool isFlipped = r.kind == ReadingKind::viewProjection && detail::maxAbs(camera.pose->eye()) == 0;
-  if (fov > kWideFov || fov < kNarrowFov || isFlipped) {
+  if (fov > kWideFov || fov < kNarrowFov || isFlipped || lens.fovError.y < 1e-3) {
     std::string cause;
     for (int degrees = 20; degrees <= 120 && cause.empty(); degrees += 5) {
       const auto is = [&](double angle) { return std::fabs(angle - fov) <= lens.fovError.y + 1e-9; };
@@ -220,18 +247,6 @@ std::vector<std::string> notesOn(const Reading& r) {
   return notes;
 }
 
-/// What counts as 0 in the last row, of which rounding left something; or empty.
-std::string noiseNote(const PastedMatrix& m, MatrixLayout layout) {
-  const bool isTurned = layout == MatrixLayout::transposed;
-  if ((isTurned ? m.columns : m.rows) < 4) return "";
-  const Mat4 read = matrixOf(m, layout);
-  for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
-    if (const double entry = isTurned ? m.at(j, 3) : m.at(3, j); entry != read[3][j])
-      return "Its last " + std::string(isTurned ? "column" : "row") + " has " + formatDigits(entry, 3) +
-             ", which rounding left and counts as 0.";
-  return "";
-}
-
 // ---- For people
 
 /// The shortest number within an error of the value.
@@ -256,28 +271,38 @@ std::string planeText(const PlaneDistance& d) {
              : value + " (" + formatDigits(d.low, 3) + " .. " + formatDigits(d.high, 3) + ")";
 }
 
-/// A number or a vector with its error, or a unit vector without what rounding left of 0; else as it is.
-OrderedJson valuePage(const std::string& name, const OrderedJson& value) {
+/// A number or a list, each as short as its error lets it be; as it is where the error is below this share of it.
+OrderedJson pageWithError(const OrderedJson& value, const OrderedJson& error, double least) {
+  const auto listOf = [](const OrderedJson& of) {
+    return of.is_array() ? of.get<std::vector<double>>() : std::vector<double>{of.get<double>()};
+  };
+  const std::vector<double> numbers = listOf(value);
+  std::vector<double> errors = listOf(error);
+  errors.resize(numbers.size(), errors.front());
+  std::vector<std::string> parts;
+  double most = 0, size = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    parts.push_back(shortest(numbers[i], errors[i]));
+    most = std::max(most, errors[i]);
+    size = std::max(size, std::fabs(numbers[i]));
+  }
+  return most < least * size ? value : OrderedJson(plusMinus(joined(parts), most));
+}
+
+/// A value with its error; an axis without what rounding left of 0; an object's members; else as it is.
+OrderedJson valuePage(std::string_view name, const OrderedJson& value, const OrderedJson& error) {
+  constexpr double kSeen = 5e-9;  // in the digits that a table has
   if (value.contains("low"))
     return planeText({value["value"].get<double>(), value["low"].get<double>(), value["high"].get<double>()});
-  if (value.contains("error") && value["error"].is_number()) {
-    const double error = value["error"].get<double>();
-    return plusMinus(shortest(value["value"].get<double>(), error), error);
-  }
-  if (value.contains("error")) {
-    std::vector<std::string> parts;
-    double most = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double error = value["error"][i].get<double>();
-      parts.push_back(shortest(value["value"][i].get<double>(), error));
-      most = std::max(most, error);
-    }
-    return plusMinus(joined(parts), most);
-  }
-  OrderedJson result = value;
-  if (name == "right" || name == "up" || name == "down" || name == "forward")
-    for (OrderedJson& x : result) x = std::round(x.get<double>() * 1e9) / 1e9 + 0.0;
-  return result;
+  if (value.contains("error")) return pageWithError(value["value"], value["error"], 0);
+  OrderedJson page = error.is_null() ? value : pageWithError(value, error, kSeen);
+  if (page.is_array() && isAmong(name, "right up down forward"))
+    for (OrderedJson& x : page) x = std::round(x.get<double>() * 1e9) / 1e9 + 0.0;
+  if (!value.is_object()) return page;
+  page.erase("errors");
+  for (auto& [member, each] : page.items())
+    each = valuePage(member, each, value.value("errors", OrderedJson::object()).value(member, OrderedJson()));
+  return page;
 }
 
 /// "opengl, unity, metal except reverseZ".
@@ -291,13 +316,14 @@ std::string presetText(const OrderedJson& reading) {
 
 OrderedJson readingPage(const OrderedJson& reading) {
   OrderedJson page{{"kind", reading["kind"]}, {"numbers", reading["layout"]}};
+  const OrderedJson errors = reading.value("errors", OrderedJson::object());
   page.update(reading["convention"]);
   if (!reading["convention"].empty()) page["presets"] = presetText(reading);
   for (const auto& [name, value] : reading.items()) {
-    const bool isForPrograms = name == "layout" || name == "convention" || name == "presetsOtherwise" ||
-                               name == "type" || name == "window" || name == "beyondInfinity" || name == "mirrored" ||
-                               name == "depthFault" || value.is_null();
-    if (!isForPrograms && !page.contains(name) && name != "presets") page[name] = valuePage(name, value);
+    constexpr std::string_view kForPrograms =
+        "layout convention presets presetsOtherwise type window beyondInfinity mirrored depthFault errors";
+    if (!isAmong(name, kForPrograms) && !value.is_null() && !page.contains(name))
+      page[name] = valuePage(name, value, errors.value(name, OrderedJson()));
   }
   return page;
 }
@@ -319,30 +345,24 @@ OrderedJson readingLine(std::size_t number, const OrderedJson& reading) {
   return line;
 }
 
-std::string shown(std::string_view name) {
-  std::string text = visible(name);
-  std::size_t end = std::min(text.size(), kLongestName);
-  while (end < text.size() && continuesCharacter(text[end])) ++end;
-  return text.substr(0, end) + (end < text.size() ? "…" : "");
-}
-
-/// What has a name and is no matrix: "t (3 numbers, line 4), rvec (3 numbers, line 5)".
+/// What has a name and is no matrix: 't' (3 numbers, line 4), 'rvec' (3 numbers, line 5).
 std::vector<std::string> vectorsIn(const std::vector<PassedOver>& passedOver) {
   constexpr std::size_t kMost = 6;
   std::vector<std::string> vectors;
   for (const PassedOver& over : passedOver)
     if (over.numbers >= 3 && over.numbers < kFewest && !over.name.empty() && vectors.size() <= kMost)
       vectors.push_back(vectors.size() == kMost ? "and others"
-                                                : shown(over.name) + " (" + std::to_string(over.numbers) +
+                                                : inQuotes(over.name) + " (" + std::to_string(over.numbers) +
                                                       " numbers, line " + std::to_string(over.line) + ")");
   return vectors;
 }
 
-/// Whether the first reading is a K of pixels in OpenCV's axes.
+/// Whether the first reading is a K of pixels in OpenCV's axes, and no name beside it speaks of others.
 bool isOpenCvK(const ReadMatrix& m) {
   if (m.found.readings.empty()) return false;
   const Reading& first = m.found.readings.front();
-  return first.kind == ReadingKind::k && first.pixels->axes == "RDF" && first.pixels->fx >= 20;
+  return first.kind == ReadingKind::k && first.pixels->axes == "RDF" && first.pixels->fx >= kFewestPixels &&
+         hintOf(m.pasted).axes.value_or(ViewAxes::RDF) == ViewAxes::RDF;
 }
 
 }  // namespace
@@ -373,17 +393,10 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       });
     if (readings.empty())
       m.found.fault =
-          std::string("none of its readings is as ") + (!question.readAs         ? "--which states"
-                                                        : question.which.empty() ? "--read-as states"
-                                                                                 : "--read-as and --which state");
+          std::string("none of its readings is as ") + (question.readAs ? "--read-as" : "--which") + " states";
   }
   const std::vector<std::string> vectors = vectorsIn(pasted.passedOver);
   const auto line = [](const PassedOver& over) { return "line " + std::to_string(over.line) + ": " + over.why; };
-  const auto has = [&](std::string_view name) {
-    return std::any_of(pasted.passedOver.begin(), pasted.passedOver.end(),
-                       [&](const PassedOver& over) { return over.name == name && over.numbers == 3; });
-  };
-  const bool areCamera = hasK && matrices.size() == 1 && has("rvec") && has("tvec");
   std::erase_if(pasted.passedOver, [](const PassedOver& over) { return over.numbers < kFewest; });
   if (matrices.empty()) {
     const auto longest = std::max_element(pasted.passedOver.begin(), pasted.passedOver.end(),
@@ -392,23 +405,27 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
                                   : vectors.size() > 1               ? "; it has " + joined(vectors)
                                                                      : ""));
   }
+  if (question.isQuiet) return matrices;
   for (const PassedOver& over : pasted.passedOver) note(source + ": " + line(over));
-  if (!vectors.empty())
-    note(source + ": not shown, since no matrix: " + joined(vectors) +
-         (areCamera ? "; with --viewport WxH they and the K are read as a camera" : ""));
+  if (!vectors.empty()) note(source + ": not shown, since no matrix: " + joined(vectors));
   return matrices;
+}
+
+OrderedJson rowsOf(const PastedMatrix& m, bool isTurned) {
+  OrderedJson rows = OrderedJson::array();
+  for (std::size_t i = 0; i < (isTurned ? m.columns : m.rows); ++i) {
+    rows.push_back(OrderedJson::array());
+    for (std::size_t j = 0; j < (isTurned ? m.rows : m.columns); ++j)
+      rows.back().push_back(isTurned ? m.at(j, i) : m.at(i, j));
+  }
+  return rows;
 }
 
 OrderedJson matrixReport(const ReadMatrix& matrix, const NameRow<EulerOrder>* angles) {
   const PastedMatrix& m = matrix.pasted;
-  OrderedJson rows = OrderedJson::array();
-  for (std::size_t i = 0; i < m.rows; ++i) {
-    rows.push_back(OrderedJson::array());
-    for (std::size_t j = 0; j < m.columns; ++j) rows.back().push_back(m.at(i, j));
-  }
   OrderedJson report{{"name", m.name.empty() ? OrderedJson() : OrderedJson(visible(m.name))},
                      {"line", m.line},
-                     {"rows", rows},
+                     {"rows", rowsOf(m, false)},
                      {"order", m.isInMemoryOrder ? "memory"
                                : m.isByColumns   ? "columns"
                                                  : "rows"},
@@ -418,11 +435,9 @@ OrderedJson matrixReport(const ReadMatrix& matrix, const NameRow<EulerOrder>* an
     report["readings"].push_back(readingJson(r, m.isInMemoryOrder));
     if (angles) report["readings"].back()["angles"] = anglesOf(r, *angles);
   }
-  report["notes"] = matrix.found.readings.empty() ? std::vector<std::string>() : notesOn(matrix.found.readings.front());
-  if (!matrix.found.readings.empty())
-    if (const std::string note = noiseNote(m, matrix.found.readings.front().layout); !note.empty())
-      report["notes"].push_back(note);
-  if (matrix.found.readings.empty()) report["fault"] = matrix.found.fault;
+  const bool isNothing = matrix.found.readings.empty();
+  report["notes"] = isNothing ? std::vector<std::string>() : notesOn(matrix.found.readings.front(), m);
+  if (isNothing) report["fault"] = matrix.found.fault;
   return report;
 }
 
@@ -430,14 +445,12 @@ OrderedJson matrixPage(const ReadMatrix& matrix, const NameRow<EulerOrder>* angl
                        std::size_t count) {
   const PastedMatrix& m = matrix.pasted;
   const OrderedJson report = matrixReport(matrix, angles);
-  std::string title = count > 1 ? std::to_string(number) : "";
-  if (!m.name.empty()) title += (title.empty() ? "" : ", ") + inQuotes(shown(m.name), kLongestName + 3);
-  title += (title.empty() ? "" : ", ") + ("line " + std::to_string(m.line)) + ", " + std::to_string(m.rows) +
-           " rows of " + std::to_string(m.columns);
-  OrderedJson page{{"matrix", title + (m.isInMemoryOrder ? ", in memory order"
-                                       : m.isByColumns   ? ", each a column"
-                                                         : "")},
-                   {"as understood", report["rows"]}};
+  std::vector<std::string> title{"line " + std::to_string(m.line),
+                                 std::to_string(m.rows) + " rows of " + std::to_string(m.columns)};
+  if (!m.name.empty()) title.insert(title.begin(), inQuotes(m.name));
+  if (count > 1) title.insert(title.begin(), std::to_string(number));
+  if (m.isInMemoryOrder || m.isByColumns) title.emplace_back(m.isInMemoryOrder ? "in memory order" : "each a column");
+  OrderedJson page{{"matrix", joined(title)}, {"as understood", report["rows"]}};
   if (report["readings"].empty()) {
     page["nothing fits"] = matrix.found.fault;
     return page;

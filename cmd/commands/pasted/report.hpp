@@ -14,6 +14,7 @@ namespace viewproj::cmd {
 struct MatrixQuestion {
   std::optional<Convention> readAs = {};  ///< only readings of this convention
   std::vector<ReadingKind> which = {};    ///< only readings of these kinds; empty: all
+  bool isQuiet = false;                   ///< notes nothing
 };
 
 /// A matrix with the readings that are asked for.
@@ -26,6 +27,9 @@ struct ReadMatrix {
 /// there is none, after the source's name and otherwise's words; notes what nearly is one.
 std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& source, const std::string& otherwise,
                                      const MatrixQuestion& question);
+
+/// The numbers of a matrix by rows, as they stand or turned.
+OrderedJson rowsOf(const PastedMatrix& matrix, bool isTurned);
 
 /// {"name", "line", "rows", "order", "float32", "readings", "notes", "fault"}. angles: each reading has "angles" too,
 /// null where it is no turn or of another world than the order's axes.

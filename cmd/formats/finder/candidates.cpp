@@ -29,7 +29,7 @@ constexpr std::string_view
     kOfV = "rvec rvecs rodrigues om omc rotation rotvec vector rotations r",
     kOfQ = "q quat quaternion quaternions orientation rotation qvec rot wxyz xyzw qwxyz qxyzw",
     kOfT = "t tvec tvecs trans translation translations translate tc",
-    kOfE = "position pos campos center centre eye origin location loc",
+    kOfE = "position pos campos center centre c eye origin location loc",
     kOfX =
         "t tf tr rt transform transformation extrinsic extrinsics extr pose poses rig view world toworld cam camera "
         "body w2c c2w bs sc imu lidar velo matrix ext tcl tlc tcw twc",
@@ -40,10 +40,7 @@ constexpr std::string_view kBoxes =
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
     "frames world calibrated perspective cv mode projection transform the of to in from image images img p w h fx fy "
     "cx "
-    "cy f "
-    "focal princpt "
-    "fov "
-    "width height vec";
+    "cy f focal princpt fov width height vec interne externe";
 
 struct ScalarNames {
   std::string_view kind, names;
@@ -69,7 +66,8 @@ constexpr ScalarNames kScalars[] = {
     {"gy", "py mv gamma2"}};
 /// Those that are called as the kind is.
 constexpr std::string_view kPlainScalars =
-    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r11 r12 r13 r21 r22 r23 r31 r32 r33 rx ry rz pitch roll yaw "
+    "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r00 r01 r02 r10 r20 r11 r12 r13 r21 r22 r23 r31 r32 r33 rx ry "
+    "rz pitch roll yaw "
     "heading";
 
 std::string_view scalarOf(std::string_view letters) {
@@ -110,10 +108,7 @@ bool areAll(const std::vector<double>& numbers, bool (*fits)(double)) {
   return std::all_of(numbers.begin(), numbers.end(), fits);
 }
 bool isK(const std::vector<double>& m) { return isIntrinsic(m) && m[2] > 0 && std::fabs(m[1]) < 0.01 * m[0]; }
-bool isKByColumns(const std::vector<double>& m) { return m.size() == 9 && isK(transposed(m, 3)); }
-bool isRigidByColumns(const std::vector<double>& m) { return m.size() == 16 && isRigid(transposed(m, 4)); }
 bool isTaken(const std::vector<double>& m) { return isProjection(m, 10); }
-bool isTakenByColumns(const std::vector<double>& m) { return isTaken(transposed(m, 3)); }
 bool isTurn(const std::vector<double>& v) {
   return areAll(v, [](double x) { return std::fabs(x) < 7; });
 }
@@ -146,17 +141,17 @@ struct Look {
   enum Needs { numbers, name, letters } needs = name;  ///< letters: they are all of the name
   std::string_view also = "", excluded = "";           ///< other words
   bool mayBeObject = true;
-  std::string_view suffix = "";
+  std::string_view suffix = "";  ///< "^T": by columns
 };
 constexpr Look kLooks[] = {
     {"K", "9", isK, kOfK, 1, Look::numbers, "", "", false},
-    {"K", "9", isKByColumns, kOfK, 1, Look::numbers, "", "", false, "^T"},
+    {"K", "9", isK, kOfK, 1, Look::numbers, "", "", false, "^T"},
     {"R", "9", isRotation, kOfR, 0, Look::numbers, "", "", false},
     {"K", "12 16", isK, kOfK, 0, Look::numbers, "p projection"},
     {"X", "12 16", isRigid, kOfX, 1, Look::numbers},
     {"P", "12 16", isTaken, kOfP, 1, Look::numbers},
-    {"P", "12", isTakenByColumns, kOfP, 1, Look::numbers, "", "", false, "^T"},
-    {"X", "16", isRigidByColumns, kOfX, 1, Look::numbers, "", "", true, "^T"},
+    {"P", "12", isTaken, kOfP, 1, Look::numbers, "", "", false, "^T"},
+    {"X", "16", isRigid, kOfX, 1, Look::numbers, "", "", true, "^T"},
     {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix translation trans position"},
     {"T", "3", isAny, kOfT},
     {"E", "3", isAny, kOfE},
@@ -231,18 +226,12 @@ class Finder {
     const std::string letters = lettersOf(withoutUnit(key));
     if (n.size() == 1) {
       const std::string_view bare = std::string_view(letters).substr(0, letters.find_last_not_of("0123456789") + 1);
-      if (const std::string_view kind = scalarOf(letters); !kind.empty())
-        add(std::string(kind), steps, n, 2);
-      else if (const std::string_view other = scalarOf(bare); isAmong(other, "w h fx fy cx cy"))
-        add(std::string(other), steps, n, 1);
-      else if (const std::string_view beside = scalarAmong(wordsOf(key)).first; !beside.empty())
-        add(std::string(beside), steps, n, 1);
-      else if (const std::string_view tangential = tangentialOf(key); !tangential.empty())
-        add(std::string(tangential), steps, n, 1);
-      else if (const std::string_view angle = angleOf(key); !angle.empty())
-        add(std::string(angle), steps, n, 1);
-      else if (hasWord(key, "pixel") && hasWord(key, "size pitch") && n[0] > 0)
-        add("pixel", steps, n, 1);
+      const std::string_view whole = scalarOf(letters), numbered = scalarOf(bare);
+      const bool isPixel = hasWord(key, "pixel") && hasWord(key, "size pitch") && n[0] > 0;
+      for (const std::string_view kind :
+           {whole, isAmong(numbered, "w h fx fy cx cy") ? numbered : "", scalarAmong(wordsOf(key)).first,
+            tangentialOf(key), angleOf(key), std::string_view(isPixel ? "pixel" : "")})
+        if (!kind.empty()) return add(std::string(kind), steps, n, whole.empty() ? 1 : 2);
       return;
     }
     const double noise = hasWord(key, kNoise) ? -3 : 0;
@@ -252,15 +241,16 @@ class Finder {
     for (const Look& look : kLooks) {
       const bool isOf = look.needs == Look::letters ? isAmong(letters, look.words) : hasWord(key, look.words);
       const bool isAlso = hasWord(key, look.also), isWhole = look.needs == Look::numbers;
+      const std::vector<double> m = look.suffix.empty() ? n : transposed(n, n.size() == 16 ? 4 : 3);
       const bool mayBe = isOf || isAlso || isWhole || (look.kind == "Q" && value.is_object());
       if (!mayBe || !isAmong(count, look.counts) || (isWhole && isMatrix) || (value.is_object() && !look.mayBeObject) ||
-          hasWord(key, look.excluded) || !look.fits(n))
+          hasWord(key, look.excluded) || !look.fits(m))
         continue;
       isMatrix = isMatrix || isWhole;
       const bool isNamed = isOf || (isAlso && isWhole);
       const bool isPlain = look.needs == Look::letters || isAmong(look.kind, "direction target up");
-      add(std::string(look.kind), steps, look.kind == "K" && !look.suffix.empty() ? transposed(n, 3) : n,
-          look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise), std::string(look.suffix));
+      add(std::string(look.kind), steps, m, look.score + (isNamed ? 2 : 0) + (isPlain ? 0 : noise),
+          std::string(look.suffix));
       found_.back()->isOrdered = value.is_object();
       found_.back()->isFlat = value.is_array() && value.front().is_number();
     }
@@ -366,12 +356,9 @@ class Finder {
       const auto& each = found_[c];
       for (std::size_t i = 0; i < each->steps.size(); ++i)
         for (const auto& [form, text] : templatesOf(each->steps[i])) {
-          const bool isPose = isAmong(each->kind, "X R V Q T");
-          if (each->kind == "?") continue;
-          if (isKindOnly(text) || hasWord(text, kNoise)) continue;
-          if (isPose && (each->steps[i].find("_to_") != std::string::npos) &&
-              (form != "*" || i + 1 == each->steps.size()))
-            continue;
+          const bool isLink = isAmong(each->kind, "X R V Q T") && each->steps[i].find("_to_") != std::string::npos &&
+                              (form != "*" || i + 1 == each->steps.size());
+          if (each->kind == "?" || isLink || isKindOnly(text) || hasWord(text, kNoise)) continue;
           std::vector<std::string> steps = each->steps;
           steps[i] = form;
           Group& group = groups[each->kind + each->suffix + "\n" + std::to_string(i) + "\n" + joinedSteps(steps)];

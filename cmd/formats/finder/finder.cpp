@@ -8,6 +8,7 @@
 
 #include "formats/finder/line.hpp"
 #include "formats/parts.hpp"
+#include "formats/unread.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/names.hpp"
@@ -39,10 +40,11 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
     askAboutOthers(line, file);
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
-    if (name == "P" && line.first->path().ends_with("^T"))
-      line.ask.push_back(
-          line.first->path() +
-          ": by columns, as MATLAB's cameraMatrix; its pixels count from 1: --set viewport.pixelCenter=1");
+    if (name.starts_with("fov")) line.set = {"viewport.pixelCenter=0.5"};  // as programs with such lenses count
+    if (name == "P" && line.first->path().ends_with("^T")) {
+      line.set = {"viewport.pixelCenter=1"};
+      line.ask.push_back(line.first->path() + ": by columns, as MATLAB's cameraMatrix, whose pixels count from 1");
+    }
     const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
                                         hasWord(line.first->steps.back(), "p projection rect rectified"));
     if (!isFlat) {
@@ -67,8 +69,6 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
            });
   });
   if (lines.empty()) {
-    const bool hasTarget =
-        std::any_of(all.begin(), all.end(), [](const Chosen& each) { return each->kind == "target"; });
     for (const Chosen& each : all) {
       if (lines.size() == kMost) break;
       LineDraft line;
@@ -79,7 +79,7 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
           putPose(line, match, nullptr);
           break;
         }
-      if (each->kind == "E" && hasTarget) putAim(line, *each, all);
+      if (each->kind == "E") putAim(line, *each, all);
       if (line.parts.empty()) continue;
       line.ask.push_back("no lens found: add K=… if it is among what is left out, or give it by --fx … or --fov-y");
       lines.push_back(std::move(line));
@@ -91,23 +91,25 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
   std::stable_sort(lines.begin(), lines.end(),
                    [](const LineDraft& a, const LineDraft& b) { return a.score > b.score; });
   // One line for one set of numbers.
-  std::vector<LineDraft> kept;
   std::set<const Candidate*> seen;
-  for (LineDraft& line : lines) {
+  std::erase_if(lines, [&](const LineDraft& line) {
     std::vector<const Candidate*> covered{line.first.get()};
     for (const auto& [star, each] : line.first->star) covered.push_back(each.get());
     if (std::any_of(covered.begin(), covered.end(), [&](const Candidate* each) { return seen.contains(each); }))
-      continue;
+      return true;
     seen.insert(covered.begin(), covered.end());
-    kept.push_back(std::move(line));
-  }
-  return kept;
+    return false;
+  });
+  return lines;
 }
 
 /// Paths with their numbers, or how many they are.
-std::vector<std::string> shownNumbers(const Document& file) {
+void addNumbers(const Document& file, Proposal& proposal) {
   constexpr std::size_t kMost = 6;
-  std::vector<std::string> shown = pathsOfNumbers(*file.root);
+  std::vector<std::string>& shown = proposal.numbers = pathsOfNumbers(*file.root);
+  const auto isOfCamera = [](const std::string& path) { return mayBeOfCamera(path.substr(path.rfind('.') + 1)); };
+  proposal.ofCamera =
+      static_cast<std::size_t>(std::stable_partition(shown.begin(), shown.end(), isOfCamera) - shown.begin());
   for (std::string& path : shown) {
     const auto node = valueAt(Node(file), withStar(path, "0"));
     const std::vector<double> numbers =
@@ -117,13 +119,18 @@ std::vector<std::string> shownNumbers(const Document& file) {
       if (numbers.size() <= kMost) path += " " + formatDigits(number, 6);
     if (numbers.size() > kMost) path += " " + std::to_string(numbers.size()) + " numbers";
   }
-  return shown;
 }
 
 /// A path without what is done to its numbers.
 std::string bareOf(const Candidate& candidate) {
   const std::string path = candidate.path();
   return path.substr(0, path.size() - (candidate.terms.empty() ? candidate.suffix.size() : 0));
+}
+
+void addUsed(const Candidate& candidate, std::set<std::string>& used) {
+  used.insert(bareOf(candidate));
+  for (const auto& [star, one] : candidate.star) used.insert(bareOf(*one));
+  for (const auto& term : candidate.terms) addUsed(*term, used);
 }
 
 /// The containers that a line's star stands for, and their path with the star.
@@ -159,57 +166,44 @@ bool isUsedAbove(const std::string& path, const std::set<std::string>& used) {
 }
 
 bool saysNothing(const std::string& path) {
-  const std::vector<std::size_t> ends = endsOf(path);
-  const auto isOf = [&](std::size_t from, std::size_t end) {
-    return fitsAny(path.substr(from, end - from), kSaysNothing);
-  };
-  std::size_t from = 0;
-  for (const std::size_t end : ends) {
-    if (isOf(from, end)) return true;
-    from = end + 1;
-  }
-  return isOf(from, path.size());
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  return fitsAny(path.substr(0, dot), kSaysNothing) || (dot < path.size() && saysNothing(path.substr(dot + 1)));
 }
 
 void addOnce(std::vector<std::string>& paths, const std::string& path) {
   if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
-std::string shownLine(const ProposedLine& line) {
-  std::string text = "--parts '" + line.parts + "'";
-  for (const std::string& set : line.set) text += " --set " + set;
-  return line.cameras > 1 ? text + "   (" + std::to_string(line.cameras) + " cameras)" : text;
+}  // namespace
+
+ProposedLine otherWay(ProposedLine line) {
+  constexpr std::string_view kEither = "worldFromCamera";
+  for (std::size_t at; (at = line.parts.find(kEither)) != std::string::npos;)
+    line.parts.replace(at, kEither.size(), "cameraFromWorld");
+  std::erase(line.set, "cameraAxes=RUB");  // likely in the one direction alone
+  return line;
 }
 
-}  // namespace
+std::string optionsOf(const ProposedLine& line) {
+  std::string text = "--parts '" + line.parts + "'";
+  for (const std::string& set : line.set) text += " --set " + set;
+  return text;
+}
 
 Proposal proposeParts(const Document& file) {
   Candidates all = candidatesIn(file);
   const std::vector<Scalars> boxes = scalarsOf(all);
   addFamilies(boxes, all);
-  addCoefficients(all);
   const std::vector<LineDraft> lines = linesOf(file, all, boxes);
   const std::map<std::string, std::string> stars = starsOf(lines);
   Proposal proposal;
   std::set<std::string> used;
   for (const LineDraft& line : lines) {
-    ProposedLine proposed;
-    for (const auto& [name, path] : line.parts)
-      proposed.parts += (proposed.parts.empty() ? "" : ", ") + name + "=" + path;
-    if (line.isNerf) proposed.set = {"cameraAxes=RUB", "viewport.pixelCenter=0.5"};
-    if (line.isUnreal) proposed.set = {"convention=unreal", "euler.order=unreal"};
-    proposed.decide = line.ask;
-    proposed.cameras = std::max<std::size_t>(1, line.first->star.size());
-    proposed.hasLens = !isPoseKind(line.first->kind);
-    proposal.lines.push_back(std::move(proposed));
-    for (const Chosen& each : line.used) {
-      used.insert(bareOf(*each));
-      for (const auto& [star, one] : each->star) used.insert(bareOf(*one));
-      for (const Chosen& term : each->terms) {
-        used.insert(bareOf(*term));
-        for (const auto& [star, one] : term->star) used.insert(bareOf(*one));
-      }
-    }
+    proposal.lines.push_back({"", line.set, line.ask, std::max<std::size_t>(1, line.first->star.size()),
+                              !isPoseKind(line.first->kind), line.pose, line.isEitherWay});
+    std::string& parts = proposal.lines.back().parts;
+    for (const auto& [name, path] : line.parts) parts += (parts.empty() ? "" : ", ") + name + "=" + path;
+    for (const Chosen& each : line.used) addUsed(*each, used);
   }
   const auto isUsedBelow = [&](const std::string& front) {
     const auto first = used.lower_bound(front);
@@ -228,7 +222,7 @@ Proposal proposeParts(const Document& file) {
                         std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; });
     if (isLeft) addOnce(proposal.leftOut, shownPath(path, stars));
   }
-  if (lines.empty()) return proposal.numbers = shownNumbers(file), proposal;
+  if (lines.empty()) return addNumbers(file, proposal), proposal;
   // What has no kind may be a part all the same, under a name that is not known.
   for (const std::string& path : pathsOfNumbers(*file.root)) {
     const bool isFurther = file.isPlainText && path.find('#') != path.npos;  // one that comes again
@@ -259,28 +253,30 @@ std::string textOf(const Proposal& proposal) {
   constexpr std::size_t kMostLines = 5, kMostQuestions = 5, kMostPaths = 8;
   std::string text;
   for (std::size_t i = 0; i < std::min(proposal.lines.size(), kMostLines); ++i) {
-    text += (i > 0 ? "or " : "") + shownLine(proposal.lines[i]) + "\n";
-    for (std::size_t j = 0; i == 0 && j < std::min(proposal.lines[0].decide.size(), kMostQuestions); ++j)
-      text += "  decide: " + proposal.lines[0].decide[j] + "\n";
+    const ProposedLine& line = proposal.lines[i];
+    const std::string count = line.cameras > 1 ? "   (" + std::to_string(line.cameras) + " cameras)" : "";
+    text += (i > 0 ? "or " : "") + optionsOf(line) + count + "\n";
+    if (line.isEitherWay) text += "or " + optionsOf(otherWay(line)) + count + "\n";
+    for (std::size_t j = 0; i == 0 && j < std::min(line.decide.size(), kMostQuestions); ++j)
+      text += "  decide: " + line.decide[j] + "\n";
   }
   if (proposal.lines.size() > kMostLines)
     text += "and " + std::to_string(proposal.lines.size() - kMostLines) + " more lines like these\n";
   if (!proposal.leftOut.empty()) text += "left out: " + someOf(proposal.leftOut, kMostPaths) + "\n";
   if (!text.empty()) return text;
-  constexpr std::size_t kMostNumbers = 12;
+  const std::size_t most = std::min(proposal.numbers.size(), std::max<std::size_t>(12, proposal.ofCamera));
   text = "nothing in it looks like a camera";
   if (!proposal.numbers.empty()) text += "; its numbers, for a line of parts (viewproj help parts):";
-  for (std::size_t i = 0; i < std::min(proposal.numbers.size(), kMostNumbers); ++i)
-    text += "\n  " + proposal.numbers[i];
-  if (proposal.numbers.size() > kMostNumbers)
-    text += "\n  and " + std::to_string(proposal.numbers.size() - kMostNumbers) + " more";
+  for (std::size_t i = 0; i < most; ++i) text += "\n  " + proposal.numbers[i];
+  if (proposal.numbers.size() > most) text += "\n  and " + std::to_string(proposal.numbers.size() - most) + " more";
   return text + "\n";
 }
 
 Json jsonOf(const Proposal& proposal) {
   Json parts = Json::array();
-  for (const ProposedLine& line : proposal.lines)
-    parts.push_back({{"line", line.parts}, {"set", line.set}, {"decide", line.decide}, {"cameras", line.cameras}});
+  for (const ProposedLine& each : proposal.lines)
+    for (const ProposedLine& line : each.isEitherWay ? std::vector{each, otherWay(each)} : std::vector{each})
+      parts.push_back({{"line", line.parts}, {"set", line.set}, {"decide", line.decide}, {"cameras", line.cameras}});
   return {{"parts", parts}, {"leftOut", proposal.leftOut}};
 }
 

@@ -15,12 +15,21 @@ struct ProposedLine {
   std::vector<std::string> decide;  ///< what a person has to decide
   std::size_t cameras = 1;
   bool hasLens = true;
+  std::string pose;          ///< the paths of its pose, separated by commas
+  bool isEitherWay = false;  ///< its worldFromCamera may be cameraFromWorld
 };
+
+/// The line of the other direction.
+ProposedLine otherWay(ProposedLine line);
+
+/// --parts and --set, as they are typed.
+std::string optionsOf(const ProposedLine& line);
 
 struct Proposal {
   std::vector<ProposedLine> lines;   ///< the likeliest first
   std::vector<std::string> leftOut;  ///< paths of what looks like a part and is in no line
-  std::vector<std::string> numbers;  ///< if there is nothing else: paths that a person may use, with their numbers
+  std::vector<std::string> numbers;  ///< if there is nothing else: paths with their numbers
+  std::size_t ofCamera = 0;          ///< how many of them, the first, are called as a camera's
 };
 
 Proposal proposeParts(const Document& file);

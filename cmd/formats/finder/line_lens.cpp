@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "formats/finder/line.hpp"
 #include "formats/parts.hpp"
@@ -55,6 +56,20 @@ void askForLens(LineDraft& line, const Candidates& all) {
                      (count == 3 ? "distortion=" + path + "[0,1]+0+0+" + path + "[2] if its numbers are k1 k2 k3"
                                  : "Say which of its " + std::to_string(count) +
                                        " numbers are k1 k2 p1 p2 k3, as in distortion=" + path + "[0,1,4,5,2]"));
+}
+
+/// Radial coefficients k in an object that is a lens, with the tangential p beside them.
+void putRadial(LineDraft& line, const Candidates& all) {
+  const auto radial = bestOf(*line.first, all, "k"), tangential = bestOf(*line.first, all, "p");
+  const std::vector<std::string> steps = radial ? radial->parts.front()->steps : std::vector<std::string>{};
+  if (steps.size() < 2 || !hasWord(steps[steps.size() - 2], "lens dist distortion")) return askForLens(line, all);
+  std::vector<Chosen> parts = radial->parts;
+  if (tangential) parts.push_back(tangential->parts.front());
+  const std::string k = parts.front()->path();
+  if (parts.front()->numbers.size() == 2) return line.add("distortion", parts, radial->score);
+  line.parts.emplace_back("distortion", k + "[0,1]+" + (tangential ? parts.back()->path() : "0+0") + "+" + k + "[2]");
+  line.used.insert(line.used.end(), parts.begin(), parts.end());
+  line.score += radial->score;
 }
 
 }  // namespace
@@ -116,37 +131,30 @@ void putLens(LineDraft& line, const Candidates& all, const std::vector<Scalars>&
                          ": 4 numbers are k1 k2 p1 p2; fisheye=… if its program says fisheye or equidistant");
     return;
   }
-  if (!named) return askForLens(line, all);
-  std::vector<Chosen> k = together(*named, {"k1", "k2", "p1", "p2"});
-  // k4 to k6 are of the rational lens, with p1 and p2 or without.
-  const bool isRational = named->contains("k6") && !together(*named, {"k1", "k2", "k3", "k4", "k5"}).empty();
-  if (k.empty() && isRational) {
-    line.add("distortion", together(*named, {"k1", "k2"}), score,
-             "+0+0+" + sumOf(together(*named, {"k3", "k4", "k5", "k6"})));
-    for (const Chosen& each : together(*named, {"k3", "k4", "k5", "k6"})) line.used.push_back(each);
-    return;
-  }
-  if (!k.empty()) {
-    if (hasWord(k[2]->path(), "tangential"))
-      line.ask.push_back(k[2]->path() + ", " + k[3]->path() +
-                         ": taken as p1 and p2, as Azure Kinect has them; else exchange them");
-    for (const char* more : {"k3", "k4", "k5", "k6"})
-      if (named->contains(more) && (more[1] == '3' || named->contains("k6"))) k.push_back(named->find(more)->second);
-    return line.add("distortion", k, score);
-  }
-  k = together(*named, {"k1", "k2", "k3", "k4"});
-  if (!k.empty()) {
+  if (!named) return putRadial(line, all);
+  const auto at = [&](std::string_view kind) {
+    const auto each = named->find(kind);
+    return each == named->end() ? nullptr : each->second;
+  };
+  const Chosen p1 = at("p1"), p2 = at("p2");
+  if (const std::vector<Chosen> k = together(*named, {"k1", "k2", "k3", "k4"}); !k.empty() && !p1 && !at("k6")) {
     line.add("fisheye", k, score);
     if (!isFish) line.ask.push_back("k1 to k4 without p1, p2: fisheye, or brown?");
     return;
   }
-  if (named->contains("k2") && named->contains("k3")) {
-    line.add("distortion", together(*named, {"k1", "k2"}), score / 2, "+0+0+" + named->find("k3")->second->path());
-    line.used.push_back(named->find("k3")->second);
-    return;
+  if (p1 && p2 && hasWord(p1->path(), "tangential"))
+    line.ask.push_back(p1->path() + ", " + p2->path() +
+                       ": taken as p1 and p2, as Azure Kinect has them; else exchange them");
+  constexpr std::string_view kOrder[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  const std::size_t count = at("k6") ? 8 : at("k3") ? 5 : p1 && p2 ? 4 : at("k2") ? 2 : 1;
+  std::string terms;
+  for (const std::string_view kind : std::span(kOrder).first(count)) {
+    const Chosen each = at(kind);
+    terms += (terms.empty() ? "" : "+") + (each ? each->path() : "0");
+    if (each) line.used.push_back(each);
   }
-  k = together(*named, {"k1", "k2"});
-  line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
+  line.parts.emplace_back("distortion", terms);
+  line.score += score;
 }
 
 void askAboutLens(LineDraft& line, const Candidate& lens, const Candidates& all, std::string_view text) {

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::string_view
     kToWorld =
-        "c2w cam2world camera2world cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
+        "c2w cam2world camera2world worldfromcam cam_to_world camera_to_world toworld world_from_cam t_wc t_bs t_sc "
         "transform_matrix t_world_cam t_imu_cam t_body_cam t_w_cam t_lidar_cam cam_to_imu cam_to_body "
         "camtoworld cameratoworld cam_to_base cam_to_lidar cam_to_velo cam_to_vehicle camera_to_lidar matrix_world "
         "cameraextrinsicmat",
     kToCamera =
-        "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world viewmatrix "
+        "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world camerafromworld viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
         "velo_to_cam velo2cam _to_cam cam_from_rig",
     kOfNerf = "transform_matrix matrix_world camera_to_world";
@@ -37,9 +37,15 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
 /// Of a matrix that takes the camera to the world: whether with OpenCV's axes the camera is upside down where z is up,
 /// and has the world's origin behind it. Where y is down, up is -y.
 bool isUpsideDown(const Candidate& pose) {
-  if (pose.kind != "X" || !pose.suffix.empty()) return false;
+  if (pose.kind != "X") return false;
   const std::vector<double>& m = pose.numbers;
   return m[9] > std::fabs(m[5]) && m[2] * m[3] + m[6] * m[7] + m[10] * m[11] > 0;
+}
+
+/// How many objects down from the place's a turn stands; below 0: elsewhere.
+std::ptrdiff_t depthOf(const Candidate& turn, const Candidate& place) {
+  const std::ptrdiff_t depth = std::ssize(turn.steps) - std::ssize(place.steps);
+  return depth >= 0 && std::equal(place.steps.begin(), place.steps.end() - 1, turn.steps.begin()) ? depth : -1;
 }
 
 }  // namespace
@@ -60,10 +66,10 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
   for (const auto& [turnScore, turn] : turns)
     for (const auto& [placeScore, place] : places) {
       if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() ||
-          turn->tag != place->tag || turn->path() == place->path())
+          !(turn->tag == place->tag || (place->steps.size() > 1 && depthOf(*turn, *place) > 0)) ||
+          turn->path() == place->path())
         continue;
-      const bool isBeside =
-          std::equal(turn->steps.begin(), turn->steps.end() - 1, place->steps.begin(), place->steps.end() - 1);
+      const bool isBeside = depthOf(*turn, *place) == 0;
       found.push_back(
           {(turnScore + placeScore) / 2 + (isBeside ? 0.5 : 0) + (turn->kind == "R" ? 0.1 : 0), {turn, place}});
     }
@@ -76,13 +82,18 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
   const Chosen& place = match.parts.back();
   const bool isOpenCv = place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
   std::string direction = directionOf(*turn, lens);
-  line.isNerf = hasPart(lowered(turn->path()), kOfNerf);
+  const std::string shown = turn->terms.empty() ? turn->path() : turn->terms.front()->path() + " ...";
+  const bool isNerf = hasPart(lowered(turn->path()), kOfNerf);
+  if (isNerf) line.set = {"cameraAxes=RUB", "viewport.pixelCenter=0.5"};
+  if (direction.empty() && isOpenCv) {
+    direction = "cameraFromWorld";
+    line.ask.push_back(shown + ", " + place->path() +
+                       ": taken as camera from world, as solvePnP and calibrateCamera return them");
+  }
+  line.isEitherWay = direction.empty();
+  if (line.isEitherWay) direction = "worldFromCamera";
+  line.pose = turn->path() + (turn == place ? "" : ", " + place->path());
   if (match.parts.size() > 1) {
-    if (direction.empty() && isOpenCv) {
-      direction = "cameraFromWorld";
-      line.ask.push_back(turn->path() + ", " + place->path() +
-                         ": taken as camera from world, as solvePnP and calibrateCamera return them");
-    }
     const bool isList = turn->kind == "Q" && turn->terms.empty() && !turn->isOrdered;
     const std::string_view order = quaternionOrderOf(turn->path());
     const bool isWFirst =
@@ -93,11 +104,10 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
                              : isWFirst          ? "quaternionWFirst"
                                                  : "quaternion";
     if (isList && order.empty()) line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
-    const std::string pose = direction.empty() ? "pose" : direction;
-    line.add(pose + "." + form, {turn}, match.score / 2);
-    line.add(place->kind == "T" ? pose + ".translation" : "position", {place}, match.score / 2);
+    line.add(direction + "." + form, {turn}, match.score / 2);
+    line.add(place->kind == "T" ? direction + ".translation" : "position", {place}, match.score / 2);
   } else {
-    line.add(direction.empty() ? "pose" : direction, {turn}, match.score);
+    line.add(direction, {turn}, match.score);
   }
   const auto isByRows = [](const Candidate& each) {
     return !each.isFlat || each.numbers == transposed(each.numbers, 3);
@@ -105,25 +115,26 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
   if (turn->kind == "R" && !isByRows(turn->isStarred() ? *turn->star.begin()->second : *turn))
     line.ask.push_back(turn->path() + ": its 9 numbers by rows; " + turn->path() +
                        "^T if they go by columns, as RealSense's extrinsics do");
-  if (direction.empty())
-    line.ask.push_back(turn->path() +
-                       ": cameraFromWorld (as solvePnP, COLMAP give it) or worldFromCamera (its translation is the "
-                       "place), in place of "
-                       "pose?");
-  const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
-  if (!line.isNerf && direction != "cameraFromWorld" && isUpsideDown(*turn))
+  if (line.isEitherWay)
     line.ask.push_back(
-        turn->path() +
-        ": if world from camera, likely right, up, back: --set cameraAxes=RUB; with right, down, forward it "
-        "is upside down where z is up, and looks away from the origin");
-  else if (!line.isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))
-    line.ask.push_back(turn->path() + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
+        shown +
+        ": worldFromCamera if its translation is the camera's place, cameraFromWorld as solvePnP and COLMAP give it");
+  const bool isInPixels = lens && !lens->kind.starts_with("fov"), isPair = place->kind == "T" && turn->kind != "Q";
+  if (!isNerf && direction == "worldFromCamera" && isUpsideDown(*turn)) {
+    line.set.emplace_back("cameraAxes=RUB");
+    line.ask.push_back(shown +
+                       ": worldFromCamera likely of axes right, up, back; with right, down, forward it is upside down "
+                       "where z is up, and looks away from the origin");
+  } else if (!isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld"))) {
+    line.ask.push_back(shown + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
+  }
 }
 
 void putAim(LineDraft& line, const Candidate& first, const Candidates& all) {
   const auto eye = bestOf(first, all, "E");
   for (const char* kind : {"direction", "target"})
     if (const auto aim = eye ? bestOf(first, all, kind) : std::nullopt) {
+      line.pose = sumOf(eye->parts) + ", " + sumOf(aim->parts);
       line.add("position", eye->parts, eye->score);
       line.add(kind, aim->parts, aim->score);
       const auto up = bestOf(first, all, "up");
@@ -145,7 +156,7 @@ void putUnreal(LineDraft& line, const Candidates& all) {
   line.ask.push_back(
       turns->parts.front()->path() +
       ": taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
-  line.isUnreal = true;
+  line.set = {"convention=unreal", "euler.order=unreal"};
 }
 
 void sharePoses(std::vector<LineDraft>& lines) {

@@ -1,21 +1,13 @@
-#include "formats/finder/relations.hpp"
-
+// How well parts go together.
 #include <algorithm>
-#include <iterator>
 
 #include "camera/fields.hpp"
+#include "formats/finder/line.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
-namespace {
-
-bool includes(const std::vector<std::string>& all, const std::vector<std::string>& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
-
-}  // namespace
 
 std::string sumOf(const std::vector<Chosen>& terms) {
   std::string sum;
@@ -32,18 +24,18 @@ bool hasPart(std::string_view text, std::string_view parts) {
 }
 
 bool shares(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](const std::string& word) { return std::find(b.begin(), b.end(), word) != b.end(); });
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
 std::optional<std::pair<std::vector<std::string>, std::vector<std::string>>> towardOf(const Candidate& pose) {
   const std::string path = lowered(pose.path());
   for (const std::string_view link : {"_to_", "_2_", "2"}) {
     const std::size_t at = path.find(link);
-    if (at == std::string::npos || at == 0 || path.find("c2w") != std::string::npos ||
-        path.find("w2c") != std::string::npos)
+    const std::size_t after = at + link.size();
+    if (at == std::string::npos || at == 0 || after >= path.size() || path.find("c2w") != std::string::npos ||
+        path.find("w2c") != std::string::npos || (link == "2" && !(isLetter(path[at - 1]) && isLetter(path[after]))))
       continue;
-    const std::size_t first = path.find_last_of("._", at - 1), after = at + link.size();
+    const std::size_t first = path.find_last_of("._", at - 1);
     const std::size_t end = std::min(path.find_first_of("._", after), path.size());
     const std::size_t begin = first == std::string::npos ? 0 : first + 1;
     if (begin == at || end == after) continue;
@@ -71,11 +63,12 @@ std::optional<double> nearness(const Candidate& first, const Candidate& part) {
     if (!isPoseKind(part.kind) || !isBeside) return std::nullopt;
   }
   const std::vector<std::string>& a = first.tag;
-  std::vector<std::string> words;
+  std::vector<std::string> b = part.tag;
   if (!first.isStarred() && part.isStarred())
-    std::copy_if(part.tag.begin(), part.tag.end(), std::back_inserter(words),
-                 [](const std::string& word) { return !isDigit(word[0]); });
-  const std::vector<std::string>& b = !first.isStarred() && part.isStarred() ? words : part.tag;
+    std::erase_if(b, [](const std::string& word) { return isDigit(word[0]); });
+  const auto includes = [](const std::vector<std::string>& all, const std::vector<std::string>& some) {
+    return std::includes(all.begin(), all.end(), some.begin(), some.end());
+  };
   if (a == b) return score + 3;
   if (includes(a, b)) return score + 2;
   if (includes(b, a)) return score + 1 - 0.3 * static_cast<double>(b.size() - a.size());
@@ -132,7 +125,8 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     if (terms.empty()) return;
     Candidate family{kind, terms.front()->steps, {}, name, ""};
     family.steps.back() = "";
-    for (const Chosen& term : terms) family.numbers.push_back(term->numbers.front());
+    for (const Chosen& term : terms)
+      family.numbers.insert(family.numbers.end(), term->numbers.begin(), term->numbers.end());
     if (family.kind == "R" && !isRotation(family.numbers)) return;
     family.star = terms.front()->star;
     family.at = terms.front()->at;
@@ -142,40 +136,27 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
   };
   for (const Scalars& box : boxes) {
     add("R", together(box, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}), 2);
+    add("R", together(box, {"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"}), 2);
     add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
     add("T", together(box, {"tx", "ty", "tz"}), 2);
     if (!box.contains("w")) add("E", together(box, {"x", "y", "z"}), 1);  // w: x y z of a quaternion
     add("euler", together(box, {"pitch", "yaw", "roll"}), 2);
     add("E", together(box, {"gx", "gy", "pz"}), 1);
   }
-}
-
-void addCoefficients(Candidates& all) {
-  const Candidates found = all;
-  for (const Chosen& k : found) {
-    if (k->kind != "k" || k->steps.size() < 2 || !hasWord(k->steps[k->steps.size() - 2], "lens dist distortion"))
-      continue;
-    const auto beside = std::find_if(found.begin(), found.end(), [&](const Chosen& p) {
-      return p->kind == "p" && p->star.size() == k->star.size() && p->at == k->at &&
-             std::equal(p->steps.begin(), p->steps.end() - 1, k->steps.begin(), k->steps.end() - 1);
-    });
-    const auto partOf = [&](const char* suffix) {
-      Candidate part = *k;
-      part.suffix = suffix;
-      return std::make_shared<Candidate>(std::move(part));
-    };
-    const Chosen none = std::make_shared<Candidate>(Candidate{"?", {"0+0"}, {0, 0}, 0, ""});
-    Candidate lens{"D", k->steps, k->numbers, 2, "", k->star, k->at};
-    lens.steps.back() = "";
-    const Chosen p = beside == found.end() ? none : *beside;
-    if (k->numbers.size() == 3)
-      lens.terms = {partOf("[0,1]"), p, partOf("[2]")};
-    else if (p != none && k->numbers.size() == 2)
-      lens.terms = {k, p};
-    else
-      lens.terms = {k};
-    lens.tag = findTag(lens);
-    all.push_back(std::make_shared<Candidate>(std::move(lens)));
+  // Rows or columns whose names differ in the last letter: L1, L2, L3.
+  std::map<std::vector<std::string>, Scalars> rows;
+  for (const Chosen& each : all) {
+    std::vector<std::string> steps = each->steps;
+    if (each->numbers.size() != 3 || each->isStarred() || steps.back().empty()) continue;
+    const std::string last(1, steps.back().back());
+    steps.back().pop_back();
+    rows[steps].emplace(last, each);
+  }
+  for (const auto& [steps, members] : rows) {
+    if (members.size() != 3) continue;
+    std::vector<Chosen> terms;
+    for (const auto& [last, each] : members) terms.push_back(each);
+    add("R", terms, 2);
   }
 }
 
