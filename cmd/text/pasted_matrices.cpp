@@ -58,7 +58,7 @@ std::vector<std::string_view> headingsOf(std::string_view line) {
   for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != kNone;) {
     const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.find(':', at), line.size()});
     headings.push_back(line.substr(at, end - at));
-    at = std::min(line.find_first_not_of(":", end), line.size());
+    at = std::min(line.find_first_not_of(':', end), line.size());
   }
   return headings;
 }

@@ -74,18 +74,18 @@ void blankEmphasis(std::string& t) {
     const std::size_t first = at;
     at = std::min(t.find_first_not_of("*_", at), t.size());
     const std::string_view marks = std::string_view(t).substr(first, at - first);
-    std::size_t end = numberEnd(t, at);
-    if (end == kNone && marks == "**")
-      for (end = at; end < t.size() && (isLetter(t[end]) || isDigit(t[end]));) ++end;
+    std::size_t inner = numberEnd(t, at);
+    if (inner == kNone && marks == "**")
+      for (inner = at; inner < t.size() && (isLetter(t[inner]) || isDigit(t[inner]));) ++inner;
     const bool isFree = first == 0 || !(isNamePart(t[first - 1]) || isAmong(t[first - 1], ")]"));
-    if (end == kNone || end == at || marks.size() > 3 || !isFree) continue;
-    const std::string_view behind = std::string_view(t).substr(end, marks.size());
-    const std::size_t after = end + marks.size();
+    if (inner == kNone || inner == at || marks.size() > 3 || !isFree) continue;
+    const std::string_view behind = std::string_view(t).substr(inner, marks.size());
+    const std::size_t after = inner + marks.size();
     if (!std::equal(marks.begin(), marks.end(), behind.rbegin(), behind.rend())) continue;
     if (after < t.size() && (isNamePart(t[after]) || isAmong(t[after], "*(["))) continue;
     blank(t, first, at);
-    blank(t, end, after);
-    at = end;
+    blank(t, inner, after);
+    at = inner;
   }
 }
 
