@@ -408,6 +408,9 @@ int runInfo(const InfoOptions& o) {
     return runCamera(o);
   } catch (const UnknownFile& unknown) {
     return runUnknown(o, unknown);
+  } catch (const AmbiguousMatrix& e) {
+    note(e.what());
+    return runMatrices(o, e.text, e.what());
   } catch (const UnknownFormat& e) {
     if (e.text.empty() || o.camera.changesCamera() || o.at || o.height.isTyped()) throw;
     return runMatrices(o, e.text, e.what());

@@ -172,6 +172,18 @@ void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices)
     note(file.name + ": numbers that are no matrix: " + someOf(others, 8) + "; viewproj help parts reads them");
 }
 
+/// A preset for each reading that has one.
+std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  std::vector<std::string_view> names;
+  for (const Reading& r : readings)
+    for (const ConventionPreset& preset : conventionPresets())
+      if (fits(r, preset.convention, isInMemoryOrder) && differences(r, preset.convention).empty()) {
+        names.push_back(preset.name);
+        break;
+      }
+  return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
+}
+
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world) {
   std::vector<Reading> readings = matrix.found.readings;
@@ -189,10 +201,10 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
       throw InputError(name + ": " + e.message());
     }
     if (result && !(*result == each))
-      throw InputError(
-          name + ": can be read in " + std::to_string(readings.size()) +
-          " ways, which give different matrices; viewproj info lists them, --read-as NAME chooses, and for matrix "
-          "--which NAME too");
+      throw AmbiguousMatrix(name + ": can be read in " + std::to_string(readings.size()) +
+                            " ways, which give different matrices; --read-as " +
+                            alternatives(presetsOf(readings, matrix.pasted.isInMemoryOrder)) +
+                            " chooses, and for matrix --which NAME too; viewproj info lists them");
     result = each;
   }
   if (readings.front().camera->pose) {

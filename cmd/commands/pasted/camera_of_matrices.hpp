@@ -11,8 +11,14 @@
 
 namespace viewproj::cmd {
 
+/// A matrix whose readings give different matrices.
+struct AmbiguousMatrix : InputError {
+  using InputError::InputError;
+  std::string text = {};  ///< of the file
+};
+
 /// The one matrix that all readings give. writing: the convention to write in, of that of a reading. world: that of the
-/// matrices with a pose, which is one for all. Throws InputError where readings give different matrices.
+/// matrices with a pose, which is one for all. Throws AmbiguousMatrix.
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world);
 
