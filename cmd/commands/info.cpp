@@ -453,6 +453,7 @@ Action declareInfo(CLI::App& app) {
   addAngles(app, o->angles, "Tell the pose as turns about the camera's axes too");
   o->report.add(app, 9);
   o->camera.showMatrices();
+  o->camera.takeAll();
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addReversed(app);

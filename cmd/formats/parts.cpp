@@ -22,8 +22,7 @@ constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
     {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
 constexpr std::string_view kNames =
     "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
-    "worldFromCamera position "
-    "target direction up euler name";
+    "worldFromCamera position target direction up euler name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
@@ -139,7 +138,7 @@ void readNamedLens(const Parts& parts, Json& camera) {
   if (parts.has("xi")) {
     c.insert(c.begin(), parts.number("xi"));
     model = "omni";
-  } else if (c.size() == 4 && model.empty() && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; })) {
+  } else if (c.size() == 4 && model.empty() && !areZero(c)) {
     node.fail(
         "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
         "\"plumb_bob\" or \"fisheye\"" +
@@ -243,8 +242,7 @@ std::string turnOf(const Parts& parts) {
     bool hasTurn = add(name);
     for (const std::string_view form : wordsIn(kTurns)) hasTurn = add(name + "." + std::string(form)) || hasTurn;
     if (hasTurn || !parts.has(translation)) continue;
-    const auto& t = parts[translation].numbers;  // zeros say as little as no pose
-    if (std::any_of(t.begin(), t.end(), [](double number) { return number != 0; }))
+    if (!areZero(parts[translation].numbers))  // zeros say as little as no pose
       parts.fail(translation, "needs R or rvec beside it");
   }
   return turn;
@@ -353,9 +351,7 @@ struct PartsLine {
       }
       if (!value) continue;
       for (const Node& node : value->nodes) node.mark();
-      const auto isZero = [](double number) { return number == 0; };
-      if (part.name == "P" && !star.empty() && std::all_of(value->numbers.begin(), value->numbers.end(), isZero))
-        return std::nullopt;
+      if (part.name == "P" && !star.empty() && areZero(value->numbers)) return std::nullopt;
       if (part.name == "name") camera = {value->text, star};
       if (part.name == "id") camera.id = value->text;
     }
@@ -384,10 +380,9 @@ void requireNames(const std::vector<Part>& parts, const std::string& label, bool
                                 : isAmong(first, kPoseParts) && isAmong(form, kPoseForms))
       continue;
     if (first == "pose")
-      throw UsageError(
-          label +
-          ": pose is no part: say cameraFromWorld (as solvePnP and COLMAP give it) or worldFromCamera (its "
-          "translation is the camera's place)");
+      throw UsageError(label +
+                       ": pose is no part: say cameraFromWorld (as solvePnP and COLMAP give it) or worldFromCamera "
+                       "(its translation is the camera's place)");
     std::vector<std::string> all;
     for (const std::string_view each : wordsIn(kNames)) all.emplace_back(each);
     for (const std::string_view pose : wordsIn(kPoseParts))

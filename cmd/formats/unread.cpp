@@ -67,10 +67,6 @@ constexpr std::string_view kOfAxes = "axis axes origin handedness handed chirali
 constexpr std::string_view kSizeWords = "size sz resolution res dim dims dimension dimensions shape sensor",
                            kOtherSizes = "tile patch window kernel block cell grid pixel";
 
-bool areZero(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
-}
-
 /// An identity says as little as zeros.
 bool isNothing(const std::vector<double>& m) {
   if (areZero(m)) return true;
