@@ -61,11 +61,9 @@ Json entryOver(const Document& file, const Json& shared, std::size_t which) {
 
 /// A camera of options only.
 Import optionsAlone(const CameraPatches& patches) {
-  Import result;
-  result.add("", "", [preset = patches.readAs] {
+  return Import::one([preset = patches.readAs] {
     return preset.empty() ? Json::object() : Json{{"convention", preset}};
   });
-  return result;
 }
 
 bool isWhole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
@@ -175,14 +173,6 @@ std::optional<std::size_t> CameraSet::find(std::string_view name) const {
   return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
 }
 
-std::string CameraSet::allPicks() const {
-  std::vector<std::size_t> cameras = all();
-  const auto isLens = [&](std::size_t i) { return import_.cameras[i].isLensAlone; };
-  const auto views = std::stable_partition(cameras.begin(), cameras.end(), isLens);
-  const bool hasLens = views == cameras.begin() + 1;
-  return picksOf(cameras) + (hasLens ? "; " + picksOf({cameras.front()}) + " takes points in the camera's axes" : "");
-}
-
 std::vector<std::size_t> CameraSet::all() const {
   std::vector<std::size_t> all(size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -193,7 +183,7 @@ std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std:
   if (!pick) {
     if (size() == 1) return 0;
     throw InputError(name_ + ": holds " + std::to_string(size()) + " " + import_.noun +
-                     "s; pick one after the file's name: " + allPicks() + otherwise);
+                     "s; pick one after the file's name: " + picksOf(all()) + otherwise);
   }
   const std::vector<std::size_t> found = called(*pick);
   if (found.size() == 1) return found.front();
@@ -234,13 +224,13 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
   const bool isOfPixels = import_.hasFocalPixels || sets("projection.fx");
   if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
-  for (const std::string& each : import_.notes) notes.push_back(name_ + ": " + each);
+  for (const std::string& each : import_.notes)
+    if (each != kEnuNote || !sets("world")) notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
-  const bool picksWorld = pick && nameOf(0).starts_with(pick->substr(0, pick->find('/')) + "/");
-  if (const std::string others = otherWorlds(); !others.empty() && !picksWorld)
+  if (const std::string others = otherWorlds(); !others.empty())
     notes.push_back(name_ + ": has the same cameras in other worlds: " + others);
   return notes;
 }

@@ -27,6 +27,10 @@ inline constexpr const char* kTranslationNote =
     "tx, ty, tz are read as the camera's position, as TUM and ROS mean them, and not as a translation of "
     "cameraFromWorld, as COLMAP's";
 
+/// Where a heading turns a camera in x, y, z.
+inline constexpr const char* kEnuNote =
+    "heading is clockwise from north, and so x, y, z are read as east, north, up: --set world=enu";
+
 /// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty
@@ -36,7 +40,6 @@ struct CameraEntry {
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
   /// It is another camera's straightened picture, or its place in another world, or the lens of others without a view.
   bool isOfAnother = false;
-  bool isLensAlone = false;  ///< the latter
 };
 
 /// The cameras of a file, as a format finds them.
@@ -49,7 +52,7 @@ struct Import {
   /// Of bare matrices and of plain text the text, which may be matrices where it makes no camera; null for others.
   std::shared_ptr<const std::string> matricesText = nullptr;
   std::string noun = "camera";  ///< in messages about picks
-  /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/".
+  /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/". None if it does.
   std::vector<std::string> worlds = {};
   bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
   bool lacksAxes = false;    ///< it turns cameras, and says of no axes
@@ -59,6 +62,12 @@ struct Import {
   std::vector<std::string> withoutPose = {};         ///< entries of the file that are left out, by name
   std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 
+  /// Of one camera without a name.
+  static Import one(std::function<Json()> document) {
+    Import import;
+    import.add("", "", std::move(document));
+    return import;
+  }
   void add(std::string cameraName, std::string id, std::function<Json()> document, std::optional<Node> own = {}) {
     cameras.push_back({std::move(cameraName), std::move(id), std::move(document), std::move(own)});
   }
@@ -134,7 +143,6 @@ class CameraSet {
   /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string picksOf(const std::vector<std::size_t>& cameras) const;
-  std::string allPicks() const;
   [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;

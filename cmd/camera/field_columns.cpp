@@ -32,11 +32,6 @@ constexpr std::string_view kShort[][2] = {{"position.x", "x"},
 /// Names that may be of something else: only their whole path is a camera's.
 constexpr std::string_view kAmbiguous = "name schema type left right bottom top width height matrix pixels origin";
 
-bool isOneOf(const std::string& letters, std::string_view words) {
-  const std::vector<std::string_view> all = wordsIn(words);
-  return std::find(all.begin(), all.end(), letters) != all.end();
-}
-
 }  // namespace
 
 bool isSeaLevelName(std::string_view name) {
@@ -53,12 +48,12 @@ std::string pathOfColumn(std::string_view column, bool isOnEarth) {
   const std::string letters = lettersOf(column);
   const auto isCalled = [&](std::string_view name) { return !name.empty() && lettersOf(name) == letters; };
   for (const auto& [path, names] : kShort)
-    if (isOneOf(letters, names)) return std::string(path);
+    if (isAmong(letters, names)) return std::string(path);
   const bool isSeaLevel = isSeaLevelName(column);
   if (isSeaLevel || letters == "height" || (letters == "h" && isOnEarth))
     return !isOnEarth ? "" : isSeaLevel && hasGeoid() ? "position.altitude" : "position.height";
-  if (isOneOf(letters, kAmbiguous)) return "";
-  if (isOneOf(letters, "projection viewport convention")) return letters;
+  if (isAmong(letters, kAmbiguous)) return "";
+  if (isAmong(letters, "projection viewport convention")) return letters;
   for (const Field& field : kFields)
     if (isCalled(field.path) || isCalled(field.alias)) return std::string(field.path);
   for (const Field& field : kFields)

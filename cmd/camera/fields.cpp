@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "text/names.hpp"
+
 namespace viewproj::cmd {
 
 namespace {
@@ -33,14 +35,7 @@ std::vector<std::string_view> namesUnder(std::string_view prefix) {
   return names;
 }
 
-std::vector<std::string_view> wordsIn(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (!text.empty()) {
-    words.push_back(text.substr(0, text.find(' ')));
-    text.remove_prefix(std::min(words.back().size() + 1, text.size()));
-  }
-  return words;
-}
+std::vector<std::string_view> wordsIn(std::string_view text) { return partsOf(text, " "); }
 
 bool contradict(const Field& a, const Field& b) {
   return &a != &b && a.group == b.group && a.group != Group::none && (a.sets & b.sets) == 0;

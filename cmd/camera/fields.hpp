@@ -160,7 +160,7 @@ inline constexpr Field kFields[] = {
     poseField("rotation", Kind::quaternion, 4, "--rotation", "x,y,z,w, camera to world.", nullptr, "",
               "quaternion orientation"),
     poseField("euler", Kind::euler, 8, "--euler",
-              "rpy:ROLL,PITCH,YAW unity:X,Y,Z YXZ:A,B,C unreal:PITCH,YAW,ROLL opk:OMEGA,PHI,KAPPA"),
+              "rpy:ROLL,PITCH,YAW blender|godot|unity:X,Y,Z YXZ:A,B,C unreal:PITCH,YAW,ROLL opk:OMEGA,PHI,KAPPA"),
     poseField("worldFromCamera", Kind::rigid, 16, "", "Pose: 4 rows, {rotation, translation}, or a list."),
     poseField("cameraFromWorld", Kind::rigid, 32, "", "The inverse: a view matrix for column vectors."),
     poseField("heading", Kind::turn, 64, "--heading", "Degrees clockwise from north."),

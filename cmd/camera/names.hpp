@@ -45,8 +45,8 @@ struct EulerOrder {
   /// The camera axes of programs that have no others.
   std::optional<CameraAxes> cameraAxes{};
 };
-/// Letters are axes in the order of the turns; rpy is ROS's and Blender's, unity Godot's too, unreal
-/// FRotator's, opk (omega, phi, kappa) aerial photogrammetry's.
+/// Letters are axes in the order of the turns; rpy is ROS's, unreal FRotator's, opk (omega, phi, kappa) aerial
+/// photogrammetry's.
 inline constexpr NameRow<EulerOrder> kEulerOrders[] = {
     {"XYZ", {{0, 1, 2}}},
     {"XZY", {{0, 2, 1}}},
@@ -64,11 +64,15 @@ inline constexpr NameRow<EulerOrder> kEulerOrders[] = {
     {"unity", {.axis = {1, 0, 2}, .listed = {1, 0, 2}}},
     {"unreal", {.axis = {2, 1, 0}, .listed = {1, 0, 2}, .sign = {1, -1, -1}, .cameraAxes = CameraAxes::FRU}},
     {"opk", {.axis = {0, 1, 2}, .cameraAxes = CameraAxes::RUB}},
+    {"blender", {.axis = {2, 1, 0}, .listed = {2, 1, 0}, .cameraAxes = CameraAxes::RUB}},
+    {"godot", {.axis = {1, 0, 2}, .listed = {1, 0, 2}, .cameraAxes = CameraAxes::RUB}},
 };
 
-/// A note: Unity and Godot turn in one order, in worlds of different hands.
-inline constexpr std::string_view kGodotsOrder =
-    "order unity in a right-handed world is Godot's; Unity's own world is left-handed, as --read-as unity reads it";
+/// Notes on orders that may be meant for another: Unity and Godot turn in one order, in worlds of different hands.
+inline constexpr NameRow<std::string_view> kOrderNotes[] = {
+    {"unity",
+     "order unity in a right-handed world is Godot's; Unity's own world is left-handed, as --read-as unity reads it"},
+    {"XYZ", "order XYZ turns about the camera's own x first, as three.js does; Blender's XYZ is order blender"}};
 
 /// The names of a table.
 using Words = std::vector<std::string_view> (*)();

@@ -18,16 +18,9 @@ namespace {
 
 constexpr std::string_view kType = "projection.type";
 
-Json numberOrText(const std::string& text) {
+Json numberOrText(std::string_view text) {
   const auto number = parseNumber(text);
   return number ? Json(*number) : Json(text);
-}
-
-std::vector<std::string> parts(const std::string& text) {
-  std::vector<std::string> all;
-  for (std::size_t at = 0; at <= text.size(); at += all.back().size() + 1)
-    all.push_back(text.substr(at, text.find(',', at) - at));
-  return all;
 }
 
 /// Text such as 1,2,3 as an array, or lat=1,lon=2,height=3 as an object.
@@ -37,10 +30,10 @@ Json listOrObject(const std::string& text) {
     return numbers ? Json(*numbers) : Json(text);
   }
   Json object = Json::object();
-  for (const std::string& part : parts(text)) {
+  for (const std::string_view part : split(text, ",")) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos || object.contains(part.substr(0, equals))) return text;
-    object[part.substr(0, equals)] = numberOrText(part.substr(equals + 1));
+    object[std::string(part.substr(0, equals))] = numberOrText(part.substr(equals + 1));
   }
   return object;
 }
@@ -50,43 +43,52 @@ Json eulerOf(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return text;
   Json turns = Json::array();
-  for (const std::string& part : parts(text.substr(colon + 1))) turns.push_back(numberOrText(part));
+  for (const std::string_view part : split(std::string_view(text).substr(colon + 1), ","))
+    turns.push_back(numberOrText(part));
   return {{"order", text.substr(0, colon)}, {"degrees", turns}};
 }
 
 }  // namespace
 
-namespace {
-
-constexpr const char* kOriginForm = "expected three numbers, as in <origin xyz=\"1 2 3\" rpy=\"0 0 1.57\"/>";
-
-}  // namespace
-
 std::optional<Json> poseOfOrigin(const Json& origin) {
-  Json pose{{"translation", Json::array()}, {"euler", {{"order", "rpy"}, {"degrees", Json::array()}}}};
-  for (const bool isTurn : {false, true}) {
-    const char* const name = isTurn ? "@rpy" : "@xyz";
+  Json place = Json::array(), turns = Json::array();
+  for (const auto& [name, list] : {std::pair("@xyz", &place), {"@rpy", &turns}}) {
     const bool isStated = origin.is_object() && origin.contains(name) && origin[name].is_string();
     const std::string text = isStated ? origin[name].get<std::string>() : "0 0 0";
-    Json& list = isTurn ? pose["euler"]["degrees"] : pose["translation"];
     for (const std::string_view word : wordsIn(text)) {
       const auto number = parseNumber(word);
       if (!number) return std::nullopt;
-      list.push_back(isTurn ? Json(formatNumber(*number) + "rad") : Json(*number));
+      list->push_back(list == &turns ? Json(formatNumber(*number) + "rad") : Json(*number));
     }
-    if (list.size() != 3) return std::nullopt;
+    if (list->size() != 3) return std::nullopt;
   }
-  return pose;
+  return Json{{"translation", place}, {"euler", {{"order", "rpy"}, {"degrees", turns}}}};
 }
 
-std::optional<Json> poseOfText(const std::string& text) {
+std::optional<Json> writtenPose(std::string_view text) {
+  text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
   if (text.starts_with("<origin")) {
     Json root;
     const bool isXml = !parseXml(text, kDeepestJson, root) && root.is_object() && root.contains("origin");
     const auto pose = isXml ? poseOfOrigin(root["origin"]) : std::nullopt;
-    if (!pose) throw UsageError(text + ": " + kOriginForm);
+    if (!pose)
+      throw UsageError(visible(text) + ": expected three numbers, as in <origin xyz=\"1 2 3\" rpy=\"0 0 1.57\"/>");
     return pose;
   }
+  const bool isRobots = text.starts_with("p[");
+  if (!isRobots && !text.starts_with("Transform3D(")) return std::nullopt;
+  std::string list(text.substr(text.find_first_of("[(") + 1));
+  std::erase_if(list, [](char c) { return c == ' ' || c == ']' || c == ')'; });
+  const auto n = parseNumberList(list);
+  if (!n || n->size() != (isRobots ? 6 : 12))
+    throw UsageError(visible(text) + ": expected " + (isRobots ? "6 numbers" : "12 numbers"));
+  const auto part = [&](std::size_t i) { return Json{(*n)[i], (*n)[i + 1], (*n)[i + 2]}; };
+  if (isRobots) return Json{{"translation", part(0)}, {"rotationVector", part(3)}};
+  return Json{{"rotation", {part(0), part(3), part(6)}}, {"translation", part(9)}};
+}
+
+std::optional<Json> poseOfText(const std::string& text) {
+  if (auto pose = writtenPose(text)) return pose;
   const std::size_t blank = text.find(' ');
   const auto place = parseNumberList(text.substr(0, blank));
   if (place && place->size() == 3 && blank == std::string::npos)

@@ -27,9 +27,11 @@ Patch orthographicPatch();
 /// The patch of --set "projection.fovY=75". The value is JSON, the short form of the field's option, or else text.
 /// Throws UsageError.
 Patch setPatch(const std::string& text);
-/// A pose as options say it: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:) or vector:x,y,z
-/// (rvec:, radians); or a URDF's <origin xyz="…" rpy="…"/>. Nothing for a text that begins otherwise. The values are
-/// not checked.
+/// A pose as a program writes it: a URDF's <origin xyz="…" rpy="…"/>, Godot's Transform3D(…) of the rows of a turn and
+/// a place, or p[x, y, z, rx, ry, rz] of Universal Robots. Nothing for a text that begins otherwise.
+std::optional<Json> writtenPose(std::string_view text);
+/// Such a pose, or one as options say it: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:) or
+/// vector:x,y,z (rvec:, radians). Nothing for a text that begins otherwise. The values are not checked.
 std::optional<Json> poseOfText(const std::string& text);
 /// The origin of a URDF, {"@xyz": "1 2 3", "@rpy": "0 0 1.57"} in metres and radians; nothing where it has not three
 /// numbers each. What it lacks is 0.

@@ -116,14 +116,6 @@ void putLook(Json& root, const FieldValues& values, const CameraFile& camera, co
 
 // ---- Windows
 
-/// The projection that a camera's fx and fy state: with the focal lengths of its lens's own formula.
-Projection asCalibrated(const CameraFile& camera, const Projection& p) {
-  if (!camera.lens) return p;
-  const double slope = 1 / calibrated(perspectiveWindow(-1, 1, -1, 1, 0, kInfiniteFar), *camera.lens).right();
-  return perspectiveWindow(p.left() * slope, p.right() * slope, p.bottom() * slope, p.top() * slope, p.zNear(),
-                           p.zFar());
-}
-
 Json edgesOf(const char* type, const Projection& p, double scale) {
   return {{"type", type},
           {"left", p.left() * scale},
@@ -249,6 +241,14 @@ std::array<double, 4> quaternionOf(const PlainColumns& c) {
   const double divisor = std::copysign(2 * std::sqrt(*largest), q[3]);
   for (double& part : q) part = part / divisor + 0.0;
   return q;
+}
+
+Projection asCalibrated(const CameraFile& camera, const Projection& p) {
+  if (!camera.lens) return p;
+  const double slope = 1 / calibrated(perspectiveWindow(-1, 1, -1, 1, 0, kInfiniteFar), *camera.lens).right();
+  if (slope == 1) return p;
+  return perspectiveWindow(p.left() * slope, p.right() * slope, p.bottom() * slope, p.top() * slope, p.zNear(),
+                           p.zFar());
 }
 
 Document copied(const Document& document) {

@@ -11,6 +11,9 @@ namespace viewproj::cmd {
 /// A copy with its own value. Plain copies of a document share theirs.
 Document copied(const Document& document);
 
+/// The projection that a camera's fx and fy state: with the focal lengths of its lens's own formula.
+Projection asCalibrated(const CameraFile& camera, const Projection& projection);
+
 /// Position and axes of a camera, the axes as unit vectors.
 struct PlainPose {
   Vec3 eye, right, up, forward;

@@ -72,24 +72,18 @@ std::vector<std::string> radiansNotes(const FieldValues& values) {
 /// A matrix that is no exact rotation, as numbers of few digits leave it: a note. Empty for numbers of six digits.
 std::string roundingNote(const FieldValues& values, const Pose& pose) {
   constexpr double kLeast = 2e-5;
-  const Vec3 axes[] = {pose.right(), pose.up(), pose.forward()};
-  double off = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j)
-      off = std::max(off, std::fabs(detail::dot(axes[i], axes[j]) - (i == j ? 1 : 0)));
+  const double off = rotationError(pose);
   if (off < kLeast) return "";
   const char* const field = values.has("cameraFromWorld") ? "cameraFromWorld" : "worldFromCamera";
   return std::string(field) + ": is no exact rotation: its axes are off by " + formatDigits(off, 2) +
          ", as of numbers with few digits; pixels may be off by as much of a focal length";
 }
 
-/// Godot and Unity turn in the same order, in worlds of either hand.
-bool isGodots(const FieldValues& values, Handedness world) {
-  return world == Handedness::right &&
-         std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const FieldId field) {
-           return values.has(field) &&
-                  anyTurns(values.node(field).json(), [](const Json& turns) { return turns["order"] == "unity"; });
-         });
+bool turnsBy(std::string_view order, const FieldValues& values) {
+  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const FieldId field) {
+    return values.has(field) &&
+           anyTurns(values.node(field).json(), [&](const Json& turns) { return turns["order"] == order; });
+  });
 }
 
 /// Not a lens of zeros, which is the pinhole.
@@ -128,7 +122,8 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   file.notes = radiansNotes(values);
   if (const std::string rounding = file.pose ? roundingNote(values, *file.pose) : ""; !rounding.empty())
     file.notes.push_back(rounding);
-  if (isGodots(values, file.convention.world)) file.notes.emplace_back(kGodotsOrder);
+  for (const auto& [order, told] : kOrderNotes)
+    if (file.convention.world == Handedness::right && turnsBy(order, values)) file.notes.emplace_back(told);
   if (picture && picture->crop && file.projection)
     file.projection = cropped(*file.projection, picture->frame, *picture->crop);
   if (picture) file.viewport = picture->tile();

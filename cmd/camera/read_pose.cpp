@@ -111,9 +111,8 @@ std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& va
   const bool isLetters = 'A' <= name.front() && name.front() <= 'Z';
   if (!isLetters && worldOf(values) == World::ecef)
     return std::string(name) +
-           " turns from the axes of a local world, as east, north and up, and this world is "
-           "Earth-centred; give heading, pitch and roll, or x, y, z of a map grid with "
-           "\"world\": \"enu\"";
+           " turns from the axes of a local world, as east, north and up, and this world is Earth-centred; give "
+           "heading, pitch and roll, or x, y, z of a map grid with \"world\": \"enu\"";
   if (!of.cameraAxes) return "";
   const Handedness own = worldOfAxes(*of.cameraAxes);
   if (own == world) return "";
@@ -187,6 +186,15 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
   if (position->isRounded)
     error.angle += kOfLatitude / (target || values.has("direction") ? dot(pose->up(), upward) : 1);
   return withError(*pose, error);
+}
+
+double rotationError(const Pose& pose) {
+  const Vec3 axes[] = {pose.right(), pose.up(), pose.forward()};
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      off = std::max(off, std::fabs(detail::dot(axes[i], axes[j]) - (i == j ? 1 : 0)));
+  return off;
 }
 
 }  // namespace viewproj::cmd

@@ -25,4 +25,7 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
 /// The eye of worldFromCamera or, if isInverse, of cameraFromWorld. Throws CameraError.
 Vec3 eyeOf(const RigidTransform& transform, bool isInverse);
 
+/// How far the axes are from unit vectors at right angles.
+double rotationError(const Pose& pose);
+
 }  // namespace viewproj::cmd

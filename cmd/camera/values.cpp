@@ -104,7 +104,7 @@ EulerTurns readEuler(const Node& value) {
   if (!value.find("order")) value.fail("needs order, such as YXZ, rpy or opk; --set euler.order=YXZ gives it");
   const Node order = value.require("order"), degrees = value.require("degrees");
   const auto* const row = rowNamed(kEulerOrders, order.text());
-  if (!row) order.fail("expected three axes, such as YXZ, or one of rpy, unity, unreal, opk");
+  if (!row) order.fail("expected three axes, such as YXZ, or one of rpy, blender, unity, godot, unreal, opk");
   if (degrees.size() != 3) degrees.fail("expected three angles");
   const EulerOrder& as = row->second;
   EulerTurns euler{row, {}};
@@ -367,6 +367,12 @@ std::string suggestField(std::string_view path, std::string_view name, const std
         std::find(hints.begin(), hints.end(), path) != hints.end())
       return "; did you mean '" + std::string(field.path) + "'?";
   }
+  for (const auto& [type, bit] : kTypeNames)
+    if (path == type)
+      for (const Field& field : kFields)
+        if (field.types == bit)
+          return "; it is a type of projection: --set projection.type=" + std::string(type) + " --set " +
+                 std::string(field.path) + "=…";
   return suggestion(name, names, "help camera");
 }
 

@@ -57,7 +57,7 @@ void CameraOptions::add(CLI::App& app) {
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, ...' (help parts)");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
-            "'x,y,z rpy:0,0,9' (also quat, rvec) or FILE[#N]; in a chain the base's frame first");
+            "'x,y,z rpy:0,0,9' (degrees), quat, rvec or FILE[#N]; a chain: base-arm, arm-hand, hand-camera");
   addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName,
             "Inverse: 'x,y,z rvec:0,0,1', solvePnP's");
   const auto readViewport = [this](const std::string& option, const std::string& text) {
@@ -195,9 +195,10 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (name && readsDepth_ && reverseZ_)
     throw UsageError("--reverse-z is of a camera by options; --set convention.reverseZ=true reads a file's depth so");
   if (!worldFromCamera_.empty() && !cameraFromWorld_.empty())
-    throw UsageError("--world-from-camera and --camera-from-world are both the pose; keep one");
+    throw UsageError(
+        "--world-from-camera and --camera-from-world are both the pose; keep one, or repeat one for a chain");
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");
-  Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, {}, ""};
+  Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, takesAll_, {}, ""};
   if (!worldFromCamera_.empty() || !cameraFromWorld_.empty()) {
     const bool isInverse = worldFromCamera_.empty();
     opening.poses = isInverse ? cameraFromWorld_ : worldFromCamera_;

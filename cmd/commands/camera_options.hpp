@@ -36,6 +36,8 @@ class CameraOptions {
   void takeAnyLens() { takesAnyLens_ = true; }
   /// For a command that tells of matrices in a text, unless options want a camera of them.
   void showMatrices() { showsMatrices_ = true; }
+  /// For a command that lists the cameras of a file: those of another pose or picture too.
+  void takeAll() { takesAll_ = true; }
   /// For a command that moves the camera: options without a position are enough.
   void takeAnyPosition() { takesAnyPosition_ = true; }
   /// For a command that asks for rays of pixels alone: see ReadOptions.
@@ -97,8 +99,8 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true, readsDepth_ = false,
-       allowStretch_ = false, ignoreDistortion_ = false, readsForRays_ = false;
+  bool takesAll_ = false, takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true,
+       readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false, readsForRays_ = false;
 };
 
 }  // namespace viewproj::cmd

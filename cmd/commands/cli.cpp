@@ -267,12 +267,8 @@ std::string withNames(std::string_view help, std::span<const std::string_view> n
 }
 
 std::vector<std::string> splitNames(const std::string& option, const std::string& text) {
-  std::vector<std::string> names;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    names.push_back(text.substr(at, comma - at));
-    at = comma + 1;
-  }
+  const std::vector<std::string_view> parts = split(text, ",");
+  std::vector<std::string> names(parts.begin(), parts.end());
   std::unordered_set<std::string_view> seen;
   for (const std::string& name : names)
     if (!seen.insert(name).second) throw UsageError(option + ": " + name + " is named twice");

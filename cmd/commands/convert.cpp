@@ -53,18 +53,6 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   return readCamera(document, file.reading);
 }
 
-/// Of all cameras of a file, leaves out what is of another camera, where there are others.
-std::vector<std::size_t> camerasOnce(const CameraSet& cameras, std::vector<std::size_t> which) {
-  std::vector<std::string> names;
-  for (const std::size_t i : which)
-    if (cameras.isOfAnother(i)) names.push_back("#" + cameras.pickOf(i));
-  if (which.size() < cameras.size() || names.empty() || names.size() == which.size()) return which;
-  note(cameras.name() + ": left out: " + visible(joined(names)) + (names.size() == 1 ? ", which is" : ", which are") +
-       " of another camera of the file; " + cameras.name() + visible(names.front()) + " takes it alone");
-  std::erase_if(which, [&](std::size_t i) { return cameras.isOfAnother(i); });
-  return which;
-}
-
 std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   const auto files = o.camera.readFiles();
   std::vector<Chosen> all;
@@ -72,17 +60,14 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
   std::unordered_map<std::string, int> counts;                       // of names
   std::unordered_set<std::string> placed;                            // paths
   for (const auto& [cameras, which] : files) {
-    std::vector<Chosen> ofFile;
-    for (const std::size_t i : camerasOnce(*cameras, which)) {
+    const bool isOnly = which.size() == 1 && files.size() > 1;
+    for (const std::size_t i : which) {
       CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
       const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
       const std::string path = cameras->isOfAnother(i) ? "" : cameras->name();
       if (isPlaced) placed.insert(path);
-      ofFile.push_back({turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path});
-    }
-    for (Chosen& camera : ofFile) {
-      if (ofFile.size() == 1 && files.size() > 1) camera.fileName = pathOf(cameras->name()).stem().string();
-      if (!camera.fileName.empty() && which.size() > 1) camera.name = "";
+      Chosen camera{turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path,
+                    isOnly ? pathOf(cameras->name()).stem().string() : ""};
       // Files that belong together, as those of a stereo calibration, have the same cameras.
       const std::shared_ptr<Json>& document = camera.file.document.root;
       const auto known = documents.find(camera.name);
@@ -120,7 +105,9 @@ std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
 }
 
 void requireFolder(std::string_view form, const std::string& output) {
-  if (output == "-") throw UsageError(std::string(form) + " is several files; give a folder: -o FOLDER/");
+  if (output == "-" || pathOf(output).has_extension())
+    throw UsageError(std::string(form) + " is several files; give a folder: -o " + (output == "-" ? "FOLDER" : output) +
+                     "/");
 }
 
 std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& output) {
@@ -151,11 +138,10 @@ void writeObservations(const ConvertOptions& o, const CLI::App& app) {
       throw UsageError(std::string(option) + " goes with cameras; observations are written as the file has them");
   if (o.camera.changesCamera() || !o.camera.file())
     throw UsageError("observations are written as a file has them; leave out the options of a camera");
-  const auto picked = o.camera.readFiles();
-  const CameraSet& cameras = *picked.front().cameras;
-  if (picked.size() > 1) throw UsageError("observations are of one file");
-  std::vector<std::string> names(cameras.size());  // of those that are picked
-  for (const std::size_t i : picked.front().which) names[i] = jsonOf(cameras.pickOf(i));
+  if (!app.remaining().empty()) throw UsageError("observations are of one file");
+  const auto [cameras, pick] = o.camera.readAll();
+  std::vector<std::string> names(cameras->size());  // of those that are picked
+  for (const std::size_t i : cameras->chooseAll(pick)) names[i] = jsonOf(cameras->pickOf(i));
   constexpr std::size_t kBlock = 1 << 16;
   std::string lines;
   const std::string told = eachObservation(splitPick(*o.camera.file()).file, [&](const Observation& seen) {

@@ -444,6 +444,7 @@ Action declareInfo(CLI::App& app) {
   addAngles(app, o->angles, "Tell the pose last, as turns about turned axes");
   o->report.add(app, 9);
   o->camera.showMatrices();
+  o->camera.takeAll();
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addReversed(app);

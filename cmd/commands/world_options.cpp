@@ -74,9 +74,10 @@ void addAngles(CLI::App& app, const NameRow<EulerOrder>*& order, const std::stri
       [&order](const std::string& option, const std::string& text) {
         order = rowNamed(kEulerOrders, text);
         if (!order)
-          throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
+          throw UsageError(option + " " + text +
+                           ": expected axes, such as YXZ, or rpy, blender, unity, godot, unreal or opk");
       },
-      help + ", as YXZ, or of rpy (Blender's XYZ), unity, unreal or opk");
+      help + ", as YXZ, rpy, blender, unity, godot, unreal, opk");
 }
 
 OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,
@@ -84,7 +85,8 @@ OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values
   if (!pose) return {{"order", order.first}, {"degrees", nullptr}};
   if (const std::string fault = faultOfOrder(order, values, pose->world()); !fault.empty())
     throw UsageError("--angles " + fault);
-  if (order.first == "unity" && pose->world() == Handedness::right) note(std::string(kGodotsOrder));
+  if (const auto* const told = rowNamed(kOrderNotes, order.first); told && pose->world() == Handedness::right)
+    note(std::string(told->second));
   const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
   Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);

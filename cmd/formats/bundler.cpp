@@ -2,11 +2,16 @@
 // from the picture's middle. Source: Bundler's manual, "Output format".
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "formats/format.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "text/file.hpp"
+#include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace bundler {
@@ -49,15 +54,32 @@ Json documentOf(const Node& block, const Camera& c) {
   return camera;
 }
 
+/// The pictures that list.txt names, beside the file or in the folder around it; numbers where it has another count.
+std::vector<std::string> picturesOf(const std::string& file, std::size_t count) {
+  std::vector<std::string> names;
+  const std::filesystem::path folder = pathOf(file).parent_path();
+  for (const char* list : {"list.txt", "../list.txt"}) {
+    std::ifstream lines(file == shownName("-") ? "" : folder / list);
+    names.clear();
+    for (std::string line; std::getline(lines, line);)
+      if (const auto words = wordsIn(line); !words.empty())
+        names.emplace_back(words.front().substr(words.front().starts_with("./") ? 2 : 0));
+    if (names.size() == count) return names;
+  }
+  for (names.clear(); names.size() < count;) names.push_back(std::to_string(names.size()));
+  return names;
+}
+
 Import open(const Node& root) {
   const Node block = root.require("#1");
   const std::vector<Camera> cameras = camerasIn(block.json());
+  const std::vector<std::string> names = picturesOf(root.document().name, cameras.size());
   Import result;
   for (std::size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i][0] != 0)
-      result.add(std::to_string(i), "", [block, camera = cameras[i]] { return documentOf(block, camera); });
+      result.add(names[i], std::to_string(i), [block, camera = cameras[i]] { return documentOf(block, camera); });
     else
-      result.withoutPose.push_back(std::to_string(i));
+      result.withoutPose.push_back(names[i]);
   return result;
 }
 

@@ -160,6 +160,11 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
     if ((path == kF35 || isNamed(name, kBesidePixels)) && isPath("projection.fx")) path = "";
     if (path == "position.height" && isSeaLevelName(name)) notes_.push_back(seaLevelNote(column));
   }
+  if (!isRecord && isPath("heading") && !isRobots_ && isPath("position.x") && !onMap_ && !has("world") &&
+      !has("convention")) {
+    onMap_ = true;
+    notes_.emplace_back(kEnuNote);
+  }
   isPerspective_ = std::any_of(paths_.begin(), paths_.end(), [](const auto& column) {
     const auto* const field = findField(column.second);
     return column.second.starts_with("projection.f") ||

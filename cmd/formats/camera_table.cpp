@@ -22,10 +22,8 @@ constexpr std::string_view kNameColumns = "name camera image imagename frame fil
 /// What is written, in this order.
 constexpr std::string_view kWritten =
     "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw cameraAxes world fx fy cx cy "
-    "near far "
-    "viewport.width "
-    "viewport.height "
-    "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
+    "near far viewport.width viewport.height distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha "
+    "distortion.beta distortion.omega";
 
 std::string nameOf(const Node& row) {
   for (const std::string_view name : wordsIn(kNameColumns))

@@ -12,14 +12,6 @@
 namespace viewproj::cmd {
 namespace {
 
-/// The parts of a text, one after the other.
-std::string_view takeUntil(std::string_view& text, char separator) {
-  const std::size_t end = std::min(text.find(separator), text.size());
-  const std::string_view part = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return part;
-}
-
 std::size_t countIn(std::string_view digits) {
   std::size_t count = 0;
   for (const char digit : digits) count = 10 * count + static_cast<std::size_t>(digit - '0');
@@ -91,10 +83,9 @@ bool hasShape(const Json& value, std::string_view shape) {
 bool fits(const Node& node, std::string_view text, std::string_view shapes) {
   if (!text.empty() && !(node.json().is_string() && sameButForCase(node.json().get_ref<const std::string&>(), text)))
     return false;
-  if (shapes.empty()) return true;
-  while (!shapes.empty())
-    if (hasShape(node.json(), takeUntil(shapes, '/'))) return true;
-  return false;
+  const std::vector<std::string_view> all = partsOf(shapes, "/");
+  return all.empty() ||
+         std::any_of(all.begin(), all.end(), [&](std::string_view shape) { return hasShape(node.json(), shape); });
 }
 
 bool holdsChoice(const Node& root, std::string_view choice, std::string_view container) {
@@ -123,15 +114,13 @@ bool holdsChoice(const Node& root, std::string_view choice, std::string_view con
 }  // namespace
 
 bool holds(const Node& root, std::string_view conditions, std::string_view container) {
-  while (!conditions.empty()) {
-    std::string_view condition = takeUntil(conditions, ' ');
+  const std::vector<std::string_view> all = partsOf(conditions, " ");
+  return std::all_of(all.begin(), all.end(), [&](std::string_view condition) {
     const bool isExcluded = condition.starts_with('!');
-    if (isExcluded) condition.remove_prefix(1);
-    bool any = false;
-    while (!condition.empty() && !any) any = holdsChoice(root, takeUntil(condition, '|'), container);
-    if (any == isExcluded) return false;
-  }
-  return true;
+    const std::vector<std::string_view> choices = partsOf(condition.substr(isExcluded ? 1 : 0), "|");
+    return isExcluded != std::any_of(choices.begin(), choices.end(),
+                                     [&](std::string_view choice) { return holdsChoice(root, choice, container); });
+  });
 }
 
 }  // namespace viewproj::cmd

@@ -89,12 +89,14 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
   std::string images = "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and a line of its points\n";
   std::map<std::string, std::string> ids;  // equal lenses share one
   std::unordered_set<std::string> names;
+  bool areNumbers = true;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const WrittenCamera& camera = cameras[i];
     // COLMAP looks for the picture below its folder by this very text.
     const std::string name = camera.label().starts_with("./") ? camera.label().substr(2) : camera.label();
     if (name.find_first_of(" \t\r\n") != std::string::npos)
       throw InputError(camera.file.name + ": COLMAP ends a name at its first blank, and this one is " + inQuotes(name));
+    areNumbers = areNumbers && std::all_of(name.begin(), name.end(), isDigit);
     if (!names.insert(name).second)
       throw InputError(camera.file.name + ": another camera has the name " + inQuotes(name));
     const auto [id, isNew] = ids.emplace(colmap::lineOf(camera), std::to_string(ids.size() + 1));
@@ -105,7 +107,9 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
     for (const double number : {q[3], q[0], q[1], q[2], t.x, t.y, t.z}) images += " " + formatNumber(number);
     images += " " + id->second + " " + name + "\n\n";
   }
-  return {{"cameras.txt", lenses}, {"images.txt", images}, {"points3D.txt", "# Points: none\n"}};
+  return {{"cameras.txt", lenses, areNumbers ? "images are called by numbers; COLMAP looks for pictures by name" : ""},
+          {"images.txt", images},
+          {"points3D.txt", "# Points: none\n"}};
 }
 
 }  // namespace viewproj::cmd

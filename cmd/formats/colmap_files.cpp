@@ -228,11 +228,6 @@ std::unordered_map<std::int64_t, Vec3> readPoints(const std::string& name) {
   return points;
 }
 
-bool isFile(const std::string& name) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(pathOf(name), ignored);
-}
-
 /// What the first line of a text that is not blank or a comment is of.
 enum class TextKind { none, cameras, images };
 TextKind kindOfText(const std::string& name) {
@@ -261,19 +256,18 @@ struct Model {
 };
 
 Model filesOf(const std::string& model) {
-  std::error_code ignored;
   const std::filesystem::path source = pathOf(model);
-  const bool isFolder = std::filesystem::is_directory(source, ignored);
+  const bool isFolder = !isFile(source);
   const auto beside = [&](const char* name) {
     const std::u8string path = ((isFolder ? source : source.parent_path()) / name).generic_u8string();
     return std::string(path.begin(), path.end());
   };
-  const bool isBinary = isFolder ? isFile(beside("cameras.bin")) : model.ends_with(".bin");
+  const bool isBinary = isFolder ? isFile(pathOf(beside("cameras.bin"))) : model.ends_with(".bin");
   const bool isCameras =
       !isFolder && (isBinary ? !model.ends_with("images.bin") : kindOfText(model) == TextKind::cameras);
   const std::string images = isFolder ? beside(isBinary ? "images.bin" : "images.txt") : model;
   return {isCameras ? model : beside(isBinary ? "cameras.bin" : "cameras.txt"),
-          !isCameras && isFile(images) ? images : "", beside(isBinary ? "points3D.bin" : "points3D.txt")};
+          !isCameras && isFile(pathOf(images)) ? images : "", beside(isBinary ? "points3D.bin" : "points3D.txt")};
 }
 
 Json readModel(const Model& model, const TakePixel& take) {
@@ -285,16 +279,12 @@ Json readModel(const Model& model, const TakePixel& take) {
 }  // namespace
 
 std::optional<std::string> colmapModel(const std::string& source) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(pathOf(source), ignored)) {
-    for (const char* inside : {"", "/sparse/0", "/0", "/sparse"})
-      for (const char* file : {"/cameras.bin", "/cameras.txt"})
-        if (isFile(source + inside + file)) return source + inside;
-    return std::nullopt;
-  }
-  const bool isOne =
-      isFile(source) && (source.ends_with("images.bin") || (source.ends_with(".bin") && isBinaryCameras(source)) ||
-                         (source.ends_with(".txt") && kindOfText(source) != TextKind::none));
+  for (const char* inside : {"", "/sparse/0", "/0", "/sparse"})
+    for (const char* file : {"/cameras.bin", "/cameras.txt"})
+      if (isFile(pathOf(source + inside + file))) return source + inside;
+  const bool isOne = isFile(pathOf(source)) &&
+                     (source.ends_with("images.bin") || (source.ends_with(".bin") && isBinaryCameras(source)) ||
+                      (source.ends_with(".txt") && kindOfText(source) != TextKind::none));
   return isOne ? std::optional(source) : std::nullopt;
 }
 

@@ -38,20 +38,17 @@ Json frameOf(const Node& root) {
 }
 
 Import openFrame(const Node& root) {
-  Import result;
-  result.add("", "", [root] { return frameOf(root); });
-  return result;
+  return Import::one([root] { return frameOf(root); });
 }
 
 /// A column of exiftool's, which -G puts its group in front of: XMP-drone-dji:GimbalYawDegree. Of several groups
 /// Composite counts, whose tags are made of all others; else they must agree.
 std::optional<Node> columnOf(const Node& row, std::string_view name) {
   std::optional<Node> found = row.find("Composite:" + std::string(name));
-  const Json nothing("");
-  if (found && found->json() != nothing) return found;
+  if (found && found->json() != "") return found;
   found.reset();
   for (const auto& [column, cell] : row.json().items()) {
-    if (cell.is_null() || cell == nothing || std::string_view(column).substr(column.rfind(':') + 1) != name) continue;
+    if (cell.is_null() || cell == "" || std::string_view(column).substr(column.rfind(':') + 1) != name) continue;
     if (found && found->json() != cell)
       row.find(column)->fail("differs from " + found->path() + "; leave one of them out");
     found = row.find(column);
@@ -202,11 +199,10 @@ Import openShown(const std::string& engine, const std::vector<double>& place, co
     camera["euler"] = {{"order", engine}, {"degrees", turn}};
   for (const char* name : {"fieldOfView", "FieldOfView", "FOV", "fov"})
     if (const auto angle = root.find(name)) camera["projection"] = {{"type", "perspective"}, {fov, numberOf(*angle)}};
-  for (const auto& [name, field] : {std::pair{"nearClipPlane", "near"}, {"farClipPlane", "far"}})
+  for (const auto& [name, field] :
+       {std::pair{"nearClipPlane", "near"}, {"farClipPlane", "far"}, {"AspectRatio", "aspect"}})
     if (const auto distance = root.find(name)) camera["projection"][field] = numberOf(*distance);
-  Import result;
-  result.add("", "", [camera] { return camera; });
-  return result;
+  return Import::one([camera] { return camera; });
 }
 
 Import openUnity(const Node& root) {
@@ -217,10 +213,11 @@ Import openUnity(const Node& root) {
   return openShown("unity", numbersOf(at.require("position"), 3), turn, at, "fovY");
 }
 
-/// Location: X=1 Y=2 Z=3, Rotation: P=-20 Y=30 R=0, as FVector and FRotator are printed; or the names whole.
+/// Location: X=1 Y=2 Z=3, Rotation: P=-20 Y=30 R=0, as FVector and FRotator are printed; or the names whole, as the
+/// editor copies an actor.
 Import openUnreal(const Node& root) {
-  const auto numbersAt = [&](const char* object, std::string_view names) {
-    const Node node = root.require(object);
+  const auto numbersAt = [&](const std::string& object, std::string_view names) {
+    const Node node = *root.findAny({object, "Relative" + object});
     std::vector<double> numbers;
     for (const std::string_view name : wordsIn(names))
       numbers.push_back(numberOf(node.require(node.find(name) ? name : name.substr(0, 1))));
@@ -236,13 +233,14 @@ extern const Format kScanner{"scanner-app", "a frame of the 3D Scanner App",
 extern const Format kOpenXr{"openxr", "views of OpenXR",
                             "fov.angleLeft|views.*.fov.angleLeft|*.fov.angleLeft|/0.fov.angleLeft !camera_path",
                             devices::openViews, "type next viewState*"};
-extern const Format kUnity{"unity", "a transform of Unity",
-                           "position:3|TransformWorldPlacementJSON.position:3|UnityEditor.TransformWorldPlacementJSON."
-                           "position:3 eulerAngles:3|TransformWorldPlacementJSON.rotation:4|UnityEditor."
-                           "TransformWorldPlacementJSON.rotation:4",
-                           devices::openUnity, "rotation local* lossyScale scale"};
-extern const Format kUnreal{"unreal", "a transform of Unreal", "Location.X Rotation.P|Rotation.Pitch",
-                            devices::openUnreal, "Scale"};
+extern const Format kUnity{
+    "unity", "a transform of Unity",
+    "position:3|TransformWorldPlacementJSON.position:3|UnityEditor.TransformWorldPlacementJSON.position:3 "
+    "eulerAngles:3|TransformWorldPlacementJSON.rotation:4|UnityEditor.TransformWorldPlacementJSON.rotation:4",
+    devices::openUnity, "rotation local* lossyScale scale"};
+extern const Format kUnreal{"unreal", "a transform of Unreal",
+                            "Location.X|RelativeLocation.X Rotation.P|Rotation.Pitch|RelativeRotation.Pitch",
+                            devices::openUnreal, "Scale RelativeScale3D"};
 extern const Format kExif{"exiftool", "a drone table of exiftool -n", "", devices::openPictures,
                           "*",        devices::holdsPictures};
 

@@ -29,11 +29,6 @@ void findParents(NodeTree& tree) {
     }
 }
 
-std::string nameOf(const Node& object) {
-  const auto name = object.find("name");
-  return name && name->json().is_string() ? name->text() : "";
-}
-
 Json lensOf(const Node& camera) {
   const std::string& type = camera.require("type").text();
   if (type == "perspective") {
@@ -73,10 +68,10 @@ Import open(const Node& root) {
       node.fail("has a matrix beside translation, rotation or scale");
     const auto camera = node.find("camera");
     if (!camera) continue;
-    std::string name = nameOf(node);
+    std::string name = stringAt(node, "name");
     if (camera->json().is_number_unsigned() && camera->json() < cameras->size()) {
       hasNode[camera->json()] = true;
-      if (name.empty()) name = nameOf((*cameras)[camera->json()]);
+      if (name.empty()) name = stringAt((*cameras)[camera->json()], "name");
     }
     result.add(name, std::to_string(i), [cameras, tree, node, i] {
       const std::size_t index = indexOf(node.require("camera"), cameras->size());
@@ -87,7 +82,7 @@ Import open(const Node& root) {
   }
   for (std::size_t i = 0; i < cameras->size(); ++i) {
     const Node& camera = (*cameras)[i];
-    if (!hasNode[i]) result.add(nameOf(camera), camera.path(), [camera] { return documentOf(camera); });
+    if (!hasNode[i]) result.add(stringAt(camera, "name"), camera.path(), [camera] { return documentOf(camera); });
   }
   return result;
 }
@@ -113,7 +108,7 @@ std::vector<WrittenFile> writeGltf(std::span<const WrittenCamera> cameras, std::
       lens.add("xmag", p.right()).add("ymag", p.top());
     else
       lens.add("yfov", 2 * std::atan(p.top())).add("aspectRatio", p.aspect());
-    lens.add("znear", p.zNear());
+    lens.add("znear", depthsFor(p).front());
     if (std::isfinite(p.zFar())) lens.add("zfar", p.zFar());
     const char* const type = p.isOrthographic() ? "orthographic" : "perspective";
     lenses.push_back(whole.add("type", type).addText(type, lens.text()).text());

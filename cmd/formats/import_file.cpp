@@ -80,11 +80,23 @@ void keepWorld(Import& file, const std::string& pick) {
     return;
   }
   for (const CameraEntry& camera : file.cameras)
-    if (isLeftOut(camera) &&
+    if (world.empty() && isLeftOut(camera) &&
         std::find(file.worlds.begin(), file.worlds.end(), worldOf(camera.name)) == file.worlds.end())
       file.worlds.push_back(worldOf(camera.name));
-  std::erase(file.worlds, "");
   std::erase_if(file.cameras, isLeftOut);
+}
+
+/// Leaves out what is of another camera, where there are others, and says so.
+void keepOwn(Import& file, const std::string& name) {
+  std::vector<std::string> others;
+  for (const CameraEntry& camera : file.cameras)
+    if (camera.isOfAnother) others.push_back("#" + visible(camera.name));
+  if (others.empty() || others.size() == file.cameras.size()) return;
+  std::erase_if(file.cameras, [](const CameraEntry& camera) { return camera.isOfAnother; });
+  file.notes.push_back(
+      (file.cameras.size() == 1 ? "takes #" + file.cameras.front().name + ", the camera's own picture; " : "") +
+      "left out: " + joined(others) + (others.size() == 1 ? ", which is" : ", which are") +
+      " of another pose or picture; " + name + others.front() + " takes it alone");
 }
 
 /// What makes no camera, in plain text or of numbers alone, may be matrices.
@@ -120,12 +132,10 @@ Import importParts(const Node& root, const std::string& line, bool hasPose) {
 std::string filesNamedBy(const Document& file) {
   std::vector<std::string> names;
   const std::filesystem::path folder = pathOf(file.name).parent_path();
-  std::error_code ignored;
   if (!file.root->is_object()) return "";
   for (const Json& value : *file.root) {
     const std::string name = value.is_string() ? value.get<std::string>() : "";
-    if (name.find('.') != std::string::npos && name.size() < 256 &&
-        std::filesystem::is_regular_file(folder / pathOf(name), ignored))
+    if (name.find('.') != std::string::npos && name.size() < 256 && isFile(folder / pathOf(name)))
       names.push_back(name);
   }
   constexpr std::size_t kMost = 4;
@@ -136,8 +146,7 @@ std::string filesNamedBy(const Document& file) {
 
 [[noreturn]] void failUnknown(const Document& file) {
   throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) +
-                        "; viewproj info FILE tells what is in it, viewproj help "
-                        "formats lists the kinds",
+                        "; viewproj info FILE tells what is in it, viewproj help formats lists the kinds",
                     file);
 }
 
@@ -196,6 +205,7 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
           return std::move(*row.root);
         };
     keepWorld(result, opening.pick.value_or(""));
+    if (!opening.pick && !opening.takesAll) keepOwn(result, file->name);
     result.mayLackPose = true;
     if (claim.mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), claim.known);

@@ -25,6 +25,7 @@ struct Opening {
   std::string option;                  ///< the name of inline JSON in messages
   std::optional<std::string> pick{};   ///< what stands after #
   std::optional<std::string> parts{};  ///< of --parts
+  bool takesAll = false;               ///< without a pick, what is of another camera too
   /// Files or texts of poses, of which the product is the camera's pose, and the field that it sets.
   std::vector<std::string> poses{};
   std::string direction{};

@@ -6,6 +6,7 @@
 #include "camera/rigid.hpp"
 #include "formats/format.hpp"
 #include "formats/value.hpp"
+#include "formats/words.hpp"
 #include "formats/writer.hpp"
 #include "text/number.hpp"
 
@@ -39,7 +40,7 @@ Json lensOfCamera(const Node& camera) {
     return document;
   }
   std::vector<double> whole(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(own));
-  if (std::any_of(c.begin(), c.end(), [](double number) { return number != 0; })) {
+  if (!areZero(c)) {
     if (!bent) camera.fail("has distortion_coeffs; needs distortion_model, which says what they are");
     if (name != "omni" || distortion != "radtan") bent->fail("is not supported beside the model " + name);
     whole.insert(whole.end(), c.begin(), c.end());
@@ -78,24 +79,21 @@ Import open(const Node& root) {
     cameras->push_back(camera);
   }
   Import result;
-  for (std::size_t i = 0; i < cameras->size() && (isLinked || !isOnImu); ++i) {
-    const auto document = [cameras, i] {
-      Json camera = lensOfCamera((*cameras)[i]);
-      if (i > 0) setPose(camera, "cameraFromWorld", linksOf(*cameras, i));
-      return camera;
-    };
-    result.add((*cameras)[i].path(), "", document, (*cameras)[i]);
-  }
-  for (const Node& node : isOnImu ? *cameras : std::vector<Node>{}) {
-    const auto document = [node] {
-      Json camera = lensOfCamera(node);
-      const auto toCamera = node.find("T_cam_imu"), toImu = node.find("T_imu_cam");
-      if (!toCamera && !toImu) node.fail("needs T_cam_imu");
-      setPose(camera, toCamera ? "cameraFromWorld" : "worldFromCamera", poseAt(toCamera ? *toCamera : *toImu));
-      return camera;
-    };
-    result.add("imu/" + node.path(), "", document, node);
-  }
+  for (const bool isOfImu : {false, true})
+    for (std::size_t i = 0; i < cameras->size() && (isOfImu ? isOnImu : isLinked || !isOnImu); ++i) {
+      const Node& node = (*cameras)[i];
+      const auto document = [cameras, node, i, isOfImu] {
+        Json camera = lensOfCamera(node);
+        const auto toCamera = node.find("T_cam_imu"), toImu = node.find("T_imu_cam");
+        if (isOfImu && !toCamera && !toImu) node.fail("needs T_cam_imu");
+        if (isOfImu)
+          setPose(camera, toCamera ? "cameraFromWorld" : "worldFromCamera", poseAt(toCamera ? *toCamera : *toImu));
+        else if (i > 0)
+          setPose(camera, "cameraFromWorld", linksOf(*cameras, i));
+        return camera;
+      };
+      result.add((isOfImu ? "imu/" : "") + node.path(), "", document, node);
+    }
   return result;
 }
 

@@ -53,10 +53,6 @@ const LensNames& requireLens(const Node& where, std::string_view model) {
   where.fail("lens model " + std::string(model) + " is not supported");
 }
 
-bool areZero(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
-}
-
 /// The document's lens of coefficients in the order of its row.
 Json documentOf(const LensNames& lens, const std::vector<double>& c) {
   Json document{{"model", lens.model}}, k = Json::array(), p = Json::array();

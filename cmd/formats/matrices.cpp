@@ -107,9 +107,7 @@ Json document(const Node& root) {
 }
 
 Import open(const Node& root) {
-  Import result;
-  result.add("", "", [root] { return document(root); });
-  return result;
+  return Import::one([root] { return document(root); });
 }
 
 }  // namespace matrices
@@ -117,8 +115,7 @@ Import open(const Node& root) {
 extern const Format kMatrices{
     "matrices", "a file of matrices",
     "view:16|viewMatrix:16|modelview:16|modelViewMatrix:16|worldToCameraMatrix:16|viewInverse:16|viewMatrixInverse:16|"
-    "cameraToWorldMatrix:16|projection:16|projectionMatrix:16|proj:16 "
-    "!cameraPoseARFrame",
+    "cameraToWorldMatrix:16|projection:16|projectionMatrix:16|proj:16 !cameraPoseARFrame",
     matrices::open, "*"};
 
 }  // namespace viewproj::cmd

@@ -30,10 +30,11 @@ constexpr Lens kLenses[] = {{"radialk1 radial1", "radial", 1},
 /// Sets the lens of a camera with these focal lengths, one form of which scales them.
 void readLens(const Node& intrinsic, Json& camera) {
   const auto params = intrinsic.find("distortionParams");
-  std::vector<double> k = params && !params->json().empty() ? numbersOf(*params) : std::vector<double>{};
+  std::vector<double> k;
+  for (const Node& each : itemsAt(intrinsic, "distortionParams")) k.push_back(numberOf(each));
   std::string type = textAt(intrinsic, "distortionType");
   if (type.empty()) type = textAt(intrinsic, "type");
-  if (std::all_of(k.begin(), k.end(), [](double number) { return number == 0; })) return;
+  if (areZero(k)) return;
   const auto* const lens =
       std::find_if(std::begin(kLenses), std::end(kLenses), [&](const Lens& each) { return isAmong(type, each.types); });
   if (lens == std::end(kLenses)) params->fail("is of a lens of the type " + type + ", which is not supported");
@@ -108,7 +109,7 @@ Import open(const Node& root) {
 
 }  // namespace meshroom
 
-extern const Format kMeshroom{"meshroom", "a cameras.sfm of Meshroom", "views:list intrinsics:list poses:list",
+extern const Format kMeshroom{"meshroom", "a cameras.sfm of Meshroom", "views:list intrinsics:list poses",
                               meshroom::open, "*"};
 
 }  // namespace viewproj::cmd

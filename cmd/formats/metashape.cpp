@@ -109,12 +109,10 @@ Import open(const Node& root) {
 }
 
 Import openLens(const Node& root) {
-  Import result;
-  result.add("", "", [calibration = root.require("calibration")] {
+  return Import::one([calibration = root.require("calibration")] {
     return cameraOf(calibration, textAt(calibration, "projection"), numberOf(calibration.require("width")),
                     numberOf(calibration.require("height")));
   });
-  return result;
 }
 
 }  // namespace metashape

@@ -14,6 +14,11 @@ Quaternion quaternionIn(const Node& value) { return std::get<Quaternion>(readVal
 
 }  // namespace
 
+std::string stringAt(const Node& object, std::string_view key) {
+  const auto text = object.find(key);
+  return text && text->json().is_string() ? text->text() : "";
+}
+
 NodeTree::Frame NodeTree::frameIn(const Frame& parent, const Node& node, bool isCamera) const {
   Frame frame;
   frame.isMoved = parent.isMoved || node.findAny({"matrix", translation_, rotation_, "scale"});

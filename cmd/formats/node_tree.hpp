@@ -11,6 +11,9 @@
 
 namespace viewproj::cmd {
 
+/// A member that is a text, or an empty one.
+std::string stringAt(const Node& object, std::string_view key);
+
 /// A node has a "matrix" of 16 numbers by columns, or translation * rotation [x, y, z, w] * "scale".
 class NodeTree {
  public:

@@ -42,11 +42,12 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
 }
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
-  Import result;
-  result.add("", "",
-             [camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] { return camera; });
   std::string name = splitPick(opening.poses.front()).file;
-  result = atPoses(std::move(result), opening, name);
+  Import result =
+      atPoses(Import::one([camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] {
+                return camera;
+              }),
+              opening, name);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }
 

@@ -135,7 +135,7 @@ void readNamedLens(const Parts& parts, Json& camera) {
   if (parts.has("xi")) {
     c.insert(c.begin(), parts.number("xi"));
     model = "omni";
-  } else if (c.size() == 4 && model.empty() && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; })) {
+  } else if (c.size() == 4 && model.empty() && !areZero(c)) {
     node.fail(
         "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
         "\"plumb_bob\" or \"fisheye\"" +
@@ -239,8 +239,7 @@ std::string turnOf(const Parts& parts) {
     bool hasTurn = add(name);
     for (const std::string_view form : wordsIn(kTurns)) hasTurn = add(name + "." + std::string(form)) || hasTurn;
     if (hasTurn || !parts.has(translation)) continue;
-    const auto& t = parts[translation].numbers;  // zeros say as little as no pose
-    if (std::any_of(t.begin(), t.end(), [](double number) { return number != 0; }))
+    if (!areZero(parts[translation].numbers))  // zeros say as little as no pose
       parts.fail(translation, "needs R or rvec beside it");
   }
   return turn;
@@ -349,9 +348,7 @@ struct PartsLine {
       }
       if (!value) continue;
       for (const Node& node : value->nodes) node.mark();
-      const auto isZero = [](double number) { return number == 0; };
-      if (part.name == "P" && !star.empty() && std::all_of(value->numbers.begin(), value->numbers.end(), isZero))
-        return std::nullopt;
+      if (part.name == "P" && !star.empty() && areZero(value->numbers)) return std::nullopt;
       if (part.name == "name") camera = {value->text, star};
       if (part.name == "id") camera.id = value->text;
     }

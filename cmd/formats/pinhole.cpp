@@ -115,7 +115,7 @@ std::string textAt(const Node& node, std::string_view member) {
 
 std::vector<Node> itemsAt(const Node& node, std::string_view member) {
   const auto list = node.json().is_object() ? node.find(member) : std::nullopt;
-  if (!list) return {};
+  if (!list || list->json() == "") return {};  // as boost writes a list of none
   if (!list->json().is_array()) return {*list};
   std::vector<Node> items;
   for (std::size_t i = 0; i < list->size(); ++i) items.push_back((*list)[i]);

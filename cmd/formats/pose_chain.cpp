@@ -55,15 +55,16 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
       read = {std::move(cameras), stated, true};
     }
   } catch (const UnknownFormat& unknown) {
-    if (const auto pose = file->root ? jointPose(*file->root, pick) : std::nullopt) return factorOf(*pose, field);
+    if (const auto pose = writtenPose(unknown.text)) return factorOf(*pose, field);
+    if (const auto pose = file->root ? jointPose(*file, pick) : std::nullopt) return factorOf(*pose, field);
     const std::vector<Json> printed = printedPoses(unknown.text);
     const auto named = printed.empty() && file->root ? namedPose(*file, field) : std::nullopt;
     if (printed.empty() && !named && isInlineJson(name)) throw;
     if (printed.empty() && !named)
       throw InputError(
           shownName(name) +
-          ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, "
-          "or {\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
+          ": holds no pose: expected 4 rows of 4 numbers, 12 or 16 numbers a line, time x y z qx qy qz qw, or "
+          "{\"rotation\": [x, y, z, w] or 3 rows of 3, \"translation\"}" +
           (unknown.text.find("<origin") == std::string::npos ? "" : "; FILE#NAME picks the origin of a joint"));
     if (!named) *file = {shownName(name), nullptr};
     isOfCamera = false;
@@ -72,7 +73,10 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
     for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
   }
   if (read.isDirected && read.field != field)
-    throw InputError(file->name + ": holds poses of the other direction, " + read.field);
+    throw InputError(file->name + ": holds " + read.field +
+                     (field == "worldFromCamera" ? ", as --camera-from-world takes it; in a chain type the pose of "
+                                                   "what the camera sees, as 'X,Y,Z rvec:A,B,C'"
+                                                 : ", as --world-from-camera takes it"));
   PoseFactor factor{
       file, {}, read.field, isOfCamera, isOfCamera && isOwn, read.poses.lacksAxes, pick.has_value(), read.poses.notes};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
@@ -80,9 +84,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   return factor;
 }
 
-constexpr const char* kPoseFields[] = {"position", "rotation",        "target",         "direction",
-                                       "up",       "euler",           "heading",        "pitch",
-                                       "roll",     "worldFromCamera", "cameraFromWorld"};
+bool isPose(const Field& field) { return field.group == Group::pose && field.path != "cameraAxes"; }
 
 /// What a document says of its axes, and where its camera stands.
 struct Stand {
@@ -120,7 +122,8 @@ Json poseIn(const Json& camera, const Document& file, Json other, bool lacksAxes
 /// cameras of its file.
 Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t which, std::size_t number,
             const std::string& direction) {
-  for (const char* field : kPoseFields) camera.erase(field);
+  for (const Field& field : kFields)
+    if (isPose(field)) camera.erase(std::string(field.path));
   Json poses = Json::array();
   for (const auto& [file, cameras, field, isOfCamera, isOwn, lacksAxes, isPicked, notes] : factors) {
     const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
@@ -143,41 +146,48 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
     if (factor.cameras.size() == 1) continue;
     factor.isOwn = factor.isOwn && factor.cameras.size() == result.cameras.size();
     if (factor.isOwn) continue;
-    if (several || (result.cameras.size() > 1 && !opening.pick))
+    if (several)
       throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
-                       (several ? " poses, and another file does too" : " poses for several cameras") +
-                       "; pick one of either");
+                       " poses, and another file does too; pick one of either");
     several = &factor;
+  }
+  const bool isWorldFirst = opening.direction == "worldFromCamera";
+  const std::string option = isWorldFirst ? "--world-from-camera " : "--camera-from-world ";
+  std::string others;
+  for (const std::string& source : opening.poses) others += " " + option + inShell(source);
+  const auto withOwn = [&](const std::string& pick) {
+    const std::string own = option + inShell(name + (pick.empty() ? "" : "#" + pick));
+    return isWorldFirst ? others.substr(1) + " " + own : own + others;
+  };
+  const std::string pick = opening.pick.value_or("");
+  bool isKept = false;
+  for (const PoseFactor& factor : *factors) {
+    result.notes.insert(result.notes.end(), factor.notes.begin(), factor.notes.end());
+    isKept = isKept || factor.isOwn;
+  }
+  const auto isPosed = [](const CameraEntry& camera) { return hasPose(camera.document()); };
+  // One camera for several poses, or for one that replaces its own.
+  std::size_t first = 0;
+  if (several || (!isKept && !opening.pick && std::any_of(result.cameras.begin(), result.cameras.end(), isPosed))) {
+    const std::string together = several ? "" : "; " + withOwn(pick) + " moves them together";
+    first = CameraSet(name, result, {}).choose(opening.pick, together);
+    result.cameras = {result.cameras[first]};
   }
   // A trajectory of one names its camera as a longer one does.
   for (const PoseFactor& factor : *factors)
     if (!several && result.cameras.size() == 1 && !factor.isPicked && !factor.isOwn &&
         !factor.cameras.front().name.empty())
       several = &factor;
-  std::string folder;
-  std::size_t first = 0;
-  if (several && opening.pick) {
-    first = CameraSet(name, result, {}).choose(opening.pick);
-    result.cameras = {result.cameras[first]};
-    folder = *opening.pick + "/";
-  }
-  const bool isWorldFirst = opening.direction == "worldFromCamera";
-  const std::string option = isWorldFirst ? "--world-from-camera" : "--camera-from-world";
-  const std::string both =
-      option + " " + (isWorldFirst ? "POSE " : name + " ") + option + " " + (isWorldFirst ? name : "POSE");
-  const std::string replaced = "its own pose, which " + option + " replaces (" + both + " keeps both)";
-  for (const PoseFactor& factor : *factors)
-    result.notes.insert(result.notes.end(), factor.notes.begin(), factor.notes.end());
-  const bool isKept =
-      std::any_of(factors->begin(), factors->end(), [](const PoseFactor& factor) { return factor.isOwn; });
   if (!isKept) result.lacksAxes = result.hasTranslation = false;
-  if (!isKept && !opening.pick && result.cameras.size() > 1 &&
-      std::any_of(result.cameras.begin(), result.cameras.end(),
-                  [](const CameraEntry& camera) { return hasPose(camera.document()); }))
-    throw UsageError(name + ": " + option + " would put its " + std::to_string(result.cameras.size()) +
-                     " cameras on one pose; " + both + " moves them together, " + name + "#NAME picks one");
-  const auto unreadOf = [unread = result.unread, cameras = result.cameras, replaced, isKept](std::size_t which) {
-    std::string names = unread ? unread(which) : "";
+  for (const std::string& world : std::exchange(result.worlds, {}))
+    result.notes.push_back(name + "#" + world + "* are the same cameras in another world" +
+                           (isKept ? ""
+                                   : "; where the poses are of that: " +
+                                         withOwn(world + (pick.empty() ? result.cameras.front().name : pick))));
+  const std::string folder = several && opening.pick ? pick + "/" : "";
+  const std::string replaced = "its own pose, which " + option + "replaces (" + withOwn(pick) + " keeps both)";
+  const auto unreadOf = [unread = result.unread, cameras = result.cameras, first, replaced, isKept](std::size_t which) {
+    std::string names = unread ? unread(first + which) : "";
     if (!isKept && hasPose(cameras[which].document())) names += (names.empty() ? "" : ", ") + replaced;
     return names;
   };
@@ -188,7 +198,8 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
   };
   if (!several) {
     result.unread = unreadOf;
-    for (std::size_t i = 0; i < result.cameras.size(); ++i) result.cameras[i].document = moved(result.cameras[i], i, 0);
+    for (std::size_t i = 0; i < result.cameras.size(); ++i)
+      result.cameras[i].document = moved(result.cameras[i], first + i, 0);
     return result;
   }
   Import all;
@@ -210,8 +221,9 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
 
 bool hasPose(const Json& camera) {
   const Json origin = {0, 0, 0}, none = {0, 0, 0, 1};
-  return std::any_of(std::begin(kPoseFields), std::end(kPoseFields), [&](const char* field) {
-    return camera.contains(field) && camera[field] != (std::string_view(field) == "position" ? origin : none);
+  return std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+    const auto value = isPose(field) ? camera.find(field.path) : camera.end();
+    return value != camera.end() && *value != (field.path == "position" ? origin : none);
   });
 }
 

@@ -13,7 +13,6 @@
 #include "formats/writer.hpp"
 #include "text/number.hpp"
 #include "text/pasted_matrices.hpp"
-#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace poses {
@@ -27,8 +26,7 @@ struct Form {
 };
 constexpr Form kForms[] = {
     {":few !*:K rvec:3|rotation_vector:3|R:3 tvec:3|translation_vector:3|T:3|t:3",
-     "cameraFromWorld.rotationVector=rvec|rotation_vector|R, "
-     "cameraFromWorld.translation=tvec|translation_vector|T|t"},
+     "cameraFromWorld.rotationVector=rvec|rotation_vector|R, cameraFromWorld.translation=tvec|translation_vector|T|t"},
     {":few !*:K R:9|rvec:9 T:3|t:3|tvec:3", "cameraFromWorld.rotation=R|rvec, cameraFromWorld.translation=T|t|tvec"},
     {":list *.time~ *.tx|*.x|*.p_RS_R_x~ *.qw|*.q_RS_w~",
      "name=*.time~, worldFromCamera.translation=*.tx|*.x|*.p_RS_R_x~+*.ty|*.y|*.p_RS_R_y~+*.tz|*.z|*.p_RS_R_z~, "
@@ -147,44 +145,92 @@ std::vector<Json> printedPoses(std::string_view text) {
 
 namespace {
 
-/// The origins of elements with this name; without one, all.
-void addOrigins(const Json& value, const std::optional<std::string>& name, std::vector<const Json*>& origins) {
-  if (value.is_object() && value.contains("origin") && (!name || value.value("@name", "") == *name))
-    origins.push_back(&value["origin"]);
+void eachObject(const Json& value, const std::function<void(const Json& object)>& visit) {
+  if (value.is_object()) visit(value);
   if (!value.is_structured()) return;
-  for (const Json& part : value) addOrigins(part, name, origins);
+  for (const Json& part : value) eachObject(part, visit);
+}
+
+std::string linkOf(const Json& joint, const char* end) {
+  return joint.contains(end) && joint[end].is_object() ? joint[end].value("@link", "") : "";
 }
 
 }  // namespace
 
-std::optional<Json> jointPose(const Json& root, const std::optional<std::string>& joint) {
-  std::vector<const Json*> origins;
-  addOrigins(root, joint, origins);
-  return origins.size() == 1 ? poseOfOrigin(*origins.front()) : std::nullopt;
+std::optional<Json> jointPose(const Document& file, const std::optional<std::string>& name) {
+  std::vector<const Json*> origins, joints;
+  eachObject(*file.root, [&](const Json& each) {
+    if (each.contains("origin") && (!name || each.value("@name", "") == *name)) origins.push_back(&each["origin"]);
+    if (!linkOf(each, "child").empty()) joints.push_back(&each);
+  });
+  if (origins.size() == 1) return poseOfOrigin(*origins.front());
+  if (!name || joints.empty()) return std::nullopt;
+  Json chain = Json::array();
+  for (std::string link = *name; chain.size() < joints.size();) {
+    const auto joint =
+        std::find_if(joints.begin(), joints.end(), [&](const Json* each) { return linkOf(*each, "child") == link; });
+    if (joint == joints.end()) break;
+    const Json& moved = **joint;
+    if (const std::string type = moved.value("@type", ""); type != "fixed")
+      throw InputError(file.name + ": the joint " + inQuotes(moved.value("@name", "")) + " is " + type +
+                       ", and its position is not in the file; give the pose of each joint to " + inQuotes(*name) +
+                       ", base first");
+    const auto pose = poseOfOrigin(moved.value("origin", Json()));
+    if (!pose) return std::nullopt;
+    chain.insert(chain.begin(), *pose);
+    link = linkOf(moved, "parent");
+  }
+  if (!chain.empty()) return chain;
+  std::vector<std::string> names;
+  for (const Json* joint : joints) names.push_back(joint->value("@name", "") + " to " + linkOf(*joint, "child"));
+  constexpr std::size_t kMost = 8;
+  throw InputError(file.name + ": has no joint or link " + inQuotes(*name) + "; its joints are " +
+                   visible(someOf(names, kMost)));
 }
 
 extern const Format kPoses{"poses", "poses without a lens",
                            "",      poses::open,
                            "*",     [](const Node& root) { return holdsPoses(root) && !kTable.recognises(root); }};
 
+namespace {
+
+/// The seconds that a camera's name says: without its folders and ending, and from whole milliseconds (13 digits),
+/// microseconds (16) or nanoseconds (17 and more). Nothing for another name.
+std::optional<std::string> secondsOf(const WrittenCamera& camera) {
+  std::string text = camera.name.substr(camera.name.rfind('/') + 1);
+  if (!parseNumber(text)) text.resize(std::min(text.rfind('.'), text.size()));
+  if (!parseNumber(text)) return std::nullopt;
+  const std::size_t digits = std::all_of(text.begin(), text.end(), isDigit) ? text.size() : 0;
+  if (const std::size_t decimals = digits > 16 ? 9 : digits == 16 ? 6 : digits == 13 ? 3 : 0; decimals > 0)
+    text.insert(digits - decimals, ".");
+  return text;
+}
+
+}  // namespace
+
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
-  // Poses of a picked camera are called CAMERA/TIME.
-  const auto timeOf = [](const WrittenCamera& camera) {
-    const std::string& label = camera.label();
-    return label.substr(label.rfind('/') + 1);
-  };
-  const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
-    return parseNumber(timeOf(camera)).has_value();
+  std::vector<std::pair<std::string, const WrittenCamera*>> timed;
+  for (const WrittenCamera& camera : cameras)
+    if (const auto seconds = secondsOf(camera)) timed.emplace_back(*seconds, &camera);
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n", told;
+  if (timed.size() < cameras.size()) {
+    if (std::any_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) { return !camera.name.empty(); }))
+      told = "names are no times: 0, 1, 2 \u2026 are written";
+    timed.clear();
+    for (const WrittenCamera& camera : cameras) timed.emplace_back(camera.number, &camera);
+  }
+  std::stable_sort(timed.begin(), timed.end(), [](const auto& a, const auto& b) {
+    const double x = *parseNumber(a.first), y = *parseNumber(b.first);
+    return x != y ? x < y : a.first < b.first;
   });
-  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
-  for (const WrittenCamera& camera : cameras) {
-    const auto [columns, place] = worldFromCamera(camera.pose, CameraAxes::RDF);
-    text += areTimes ? timeOf(camera) : camera.number;
+  for (const auto& [seconds, camera] : timed) {
+    const auto [columns, place] = worldFromCamera(camera->pose, CameraAxes::RDF);
+    text += seconds;
     for (std::size_t i = 0; i < 3; ++i) text += " " + formatNumber(place[i]);
     for (const double number : quaternionOf(columns)) text += " " + formatNumber(number);
     text += "\n";
   }
-  return {{"", text}};
+  return {{"", text, told}};
 }
 
 std::vector<WrittenFile> writeKittiPoses(std::span<const WrittenCamera> cameras, std::string_view) {

@@ -26,7 +26,8 @@ std::vector<Json> printedPoses(std::string_view text);
 /// The poses of a file of no form, where it names one quaternion and one place: in the direction of its names, or in
 /// this one.
 std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field);
-/// The origin of a URDF's joint: of the one that has this name, or of the only one.
-std::optional<Json> jointPose(const Json& root, const std::optional<std::string>& joint);
+/// Of a URDF the origin of the joint that has this name, or of the only one; or the poses of the fixed joints from the
+/// root to the link of this name. Throws InputError for another name.
+std::optional<Json> jointPose(const Document& file, const std::optional<std::string>& name);
 
 }  // namespace viewproj::cmd

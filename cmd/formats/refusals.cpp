@@ -30,8 +30,7 @@ constexpr Refusal kRefusals[] = {
      "is USD, which is not read; give --read-as opengl, focalLength and horizontalAperture to --focal-length and "
      "--sensor-width, and translate and rotateXYZ of each prim around it and of the camera, the outermost first, as "
      "--world-from-camera 'X,Y,Z rpy:RX,RY,RZ'; where there is a horizontalApertureOffset, give --fx, --fy, --cx and "
-     "--cy: "
-     "cx is (0.5 - horizontalApertureOffset / horizontalAperture) of the width"},
+     "--cy: cx is (0.5 - horizontalApertureOffset / horizontalAperture) of the width"},
     {"%YAML 1.1\n%TAG !u!", true,
      "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
      "--position and m_LocalRotation to --rotation, with --convention unity"},
@@ -45,8 +44,9 @@ constexpr Refusal kRefusals[] = {
      "is a track of Nuke, which is not read: of each line give numbers 2 to 4 to --position, 5 to 7, RX RY RZ, as "
      "--euler YXZ:RY,RX,RZ where the order of turns is ZXY, and the eighth to --fov-y"},
     {"[gd_scene", true,
-     "is a scene of Godot, which is not read; give fov to --fov-y, and the node's transform as worldFromCamera of a "
-     "camera file"},
+     "is a scene of Godot, which is not read; give --read-as opengl, fov to --fov-y (to --fov-x where keep_aspect = "
+     "0), and the transform of each node around the camera and its own, the outermost first, as --world-from-camera "
+     "'Transform3D(…)'"},
     {"#polynomial coefficients for the DIRECT mapping", false,
      "is a lens of OCamCalib, which is not supported; undistort the pictures first"},
     {"Camera.Parameters=[", false,
@@ -88,21 +88,17 @@ constexpr Refusal kRefusals[] = {
      "xyaxes are the first two columns of a turn, right and up"},
     {"NVM_V3", true,
      "is of VisualSFM, which is not read; give --convention opencv, the focal length to --fx and --fy, the middle of "
-     "the "
-     "picture to --cx and --cy, of the quaternion w x y z its inverse, -x,-y,-z,w, to --rotation, and the three "
-     "numbers "
-     "after it to --position; the radial number is no lens of OpenCV's"},
+     "the picture to --cx and --cy, of the quaternion w x y z its inverse, -x,-y,-z,w, to --rotation, and the three "
+     "numbers after it to --position; the radial number is no lens of OpenCV's"},
     {"collada.org/2005/11/COLLADASchema", false,
      "is Collada, which is not read; export the scene as glTF, or give --read-as opengl, xfov or yfov to --fov-x or "
      "--fov-y, and the matrix of each node around it and of the camera, the outermost first, to --world-from-camera"},
     {"camera_calibrations {", false,
      "is a calibration of Waymo as text, which is not read; intrinsic is fx, fy, cx, cy, k1, k2, p1, p2, k3 in "
-     "OpenCV's "
-     "order, and transform, by rows, goes to --world-from-camera with --set cameraAxes=FLU"},
+     "OpenCV's order, and transform, by rows, goes to --world-from-camera with --set cameraAxes=FLU"},
     {"CALIBRATION_LensDistortionModel", false,
      "is Azure Kinect's own calibration, which is not read; jq --arg name PV0 -f azure-kinect.jq FILE makes a camera "
-     "of it "
-     "(samples/cameras-from-elsewhere), D0 in place of PV0 that of depth"},
+     "of it (samples/cameras-from-elsewhere), D0 in place of PV0 that of depth"},
     {"type=\"static_transform_publisher\"", false,
      "is a launch file of ROS, which is not read; args are x y z and yaw pitch roll in radians, or qx qy qz qw: give "
      "--world-from-camera 'X,Y,Z rpy:0.1rad,0.2rad,0.3rad', roll first, or 'X,Y,Z quat:X,Y,Z,W'"},
@@ -116,8 +112,7 @@ constexpr Refusal kRefusals[] = {
      "shorter side, to --fov-x or --fov-y"},
     {"look_at <|look_at<", false,
      "is of POV-Ray, whose world is left-handed, and which is not read; give --convention d3d, location, look_at and "
-     "sky "
-     "(0,1,0 if it has none) to --position, --target and --up, and angle to --fov-x"},
+     "sky (0,1,0 if it has none) to --position, --target and --up, and angle to --fov-x"},
     {"xcr:Rotation", false,
      "is of RealityCapture, which is not read; xcr:Position is the eye and xcr:Rotation cameraFromWorld by rows, "
      "FocalLength35mm / 36 and PrincipalPointU, V count the picture's larger side"},

@@ -274,38 +274,10 @@ constexpr Row kRows[] = {
      "model additional_information name", "root.camera"},
 };
 
-#undef K_NAMES
-#undef K_SHAPES
-#undef D_NAMES
-#undef SIZES
-#undef MODELS
-#undef POSES
-#undef NOTHING_READ
-#undef ROS_SIZE
-#undef ROS_RAW
-#undef OST_RAW
-#undef OPENCV
-#undef VIEWS
-#undef MATLAB
-#undef INTRINSICS
-#undef ORB
-#undef ORB_BROWN
-#undef ORB_FISHEYE
-#undef ORB_3
-#undef ORB_NOTHING
-#undef BESIDE
-#undef STEREO
-#undef STEREO_SIZE
-#undef SIDE_K
-#undef SIDES
-#undef VELODYNE
-#undef OPEN3D
-#undef RECORD
-
 struct RowLine {
   std::string_view names;
   std::vector<Part> parts;
-  bool isThere, isOfAnother, isLens;
+  bool isThere, isOfAnother;
 };
 
 std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view container) {
@@ -323,7 +295,6 @@ std::vector<RowLine> rowLines(const Row& row, const Node& root, std::string_view
     }
     line.parts = parseParts(text, std::string(row.name), container);
     requireNames(line.parts, std::string(row.name), true);
-    line.isLens = line.parts.front().name == "K" && line.parts.back().name != "rectified";
     line.isThere = isFirstEnough ? hasParts(root, {line.parts.front()}) : hasParts(root, line.parts);
     lines.push_back(std::move(line));
   }
@@ -357,7 +328,6 @@ Import importRow(const Row& row, const Node& root, std::string_view container) {
     for (CameraEntry& camera : cameras) {
       if (!camera.name.empty()) earlier.insert(camera.name);
       camera.isOfAnother = line.isOfAnother;
-      camera.isLensAlone = line.isOfAnother && line.isLens;
       all.cameras.push_back(std::move(camera));
     }
   }

@@ -33,17 +33,6 @@ std::optional<double> numberIn(std::string_view word) {
 /// A name of the text: none ends with #, under which the other values of a name are kept.
 std::string nameIn(std::string_view word) { return std::string(word.substr(0, word.find_last_not_of('#') + 1)); }
 
-/// The parts between any of the separators, without empty ones.
-std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end;
-  }
-  return parts;
-}
-
 /// The line without a comment, which begins with #, // or % at the start or after a blank.
 std::string_view withoutComment(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at)

@@ -16,11 +16,6 @@ namespace threejs {
 
 constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";
 
-std::string textOf(const Node& object, std::string_view key) {
-  const auto text = object.find(key);
-  return text && text->json().is_string() ? text->text() : "";
-}
-
 void addObjects(NodeTree& tree, const Node& object, std::size_t parent) {
   const std::size_t index = tree.nodes.size();
   tree.nodes.push_back(object);
@@ -129,9 +124,9 @@ Import open(const Node& root) {
   Import result;
   for (std::size_t i = 0; i < tree->nodes.size(); ++i) {
     const Node& object = tree->nodes[i];
-    const std::string type = textOf(object, "type");
+    const std::string type = stringAt(object, "type");
     if (type == kPerspective || type == kOrthographic)
-      result.add(textOf(object, "name"), textOf(object, "uuid"), [tree, i] { return documentOf(*tree, i); });
+      result.add(stringAt(object, "name"), stringAt(object, "uuid"), [tree, i] { return documentOf(*tree, i); });
   }
   return result;
 }
@@ -153,12 +148,10 @@ std::vector<WrittenFile> writeThreeJs(std::span<const WrittenCamera> cameras, st
     const Projection& p = *camera.file.projection;
     JsonObject out = begin(objects.size() + 1, p.isOrthographic() ? threejs::kOrthographic : threejs::kPerspective);
     if (!camera.name.empty()) out.add("name", camera.name);
-    const auto m = worldFromCamera(camera, CameraAxes::RUB);
-    std::vector<double> columns;
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t i = 0; i < 4; ++i) columns.push_back(i < 3 ? m[4 * i + j] : j < 3 ? 0 : 1);
-    out.addText("layers", "1").addText("matrix", jsonListOf(columns)).addText("zoom", "1");
-    out.add("near", p.zNear()).add("far", p.zFar());
+    const auto matrix = columnsOf(worldFromCamera(camera, CameraAxes::RUB));
+    out.addText("layers", "1").addText("matrix", jsonListOf(matrix)).addText("zoom", "1");
+    const auto [near, far] = depthsFor(p);
+    out.add("near", near).add("far", far);
     if (p.isOrthographic()) {
       out.add("left", p.left()).add("right", p.right()).add("top", p.top()).add("bottom", p.bottom());
     } else {

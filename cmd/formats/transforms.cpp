@@ -39,25 +39,18 @@ void readLens(const Frame& at, Json& camera) {
   if (flag && flag->flag()) name = "OPENCV_FISHEYE";
   const bool isFisheye = name.ends_with("FISHEYE");
   const char* const order[] = {"k1", "k2", "k3", "k4", "p1", "p2"};
-  std::vector<double> c;
-  if (all) c = all->numbers();
+  const std::vector<double> c = all ? all->numbers() : std::vector<double>{};
   if (all && c.size() != std::size(order))
     all->fail("expected the 6 numbers k1 k2 k3 k4 p1 p2, got " + std::to_string(c.size()));
+  NamedNumbers named;
   for (std::size_t i = 0; i < std::size(order); ++i) {
     const auto value = at.number(order[i]);
     if (all && value && *value != c[i]) at.find(order[i])->fail("differs from distortion_params");
-    if (!all) c.push_back(value.value_or(0));
+    named.emplace_back(order[i], all ? c[i] : value.value_or(0));
   }
-  const auto fail = [&](const char* key, const char* why) {
-    (at.find(key) ? *at.find(key) : *all).fail(std::string(at.find(key) ? "" : key) + (at.find(key) ? "" : " ") + why);
-  };
-  if (isFisheye && (c[4] != 0 || c[5] != 0)) fail(c[4] != 0 ? "p1" : "p2", "is not supported beside a fisheye lens");
-  if (!isFisheye && c[3] != 0) fail("k4", "is not supported: programs do not agree on what it means");
   const Node& where = all ? *all : at.frame;
-  if (isFisheye)
-    setLens(camera, where, name, {c[0], c[1], c[2], c[3]});
-  else
-    setLens(camera, where, name, {c[0], c[1], c[4], c[5], c[2]});
+  if (!isFisheye && named[3].second != 0) where.fail("k4 is not supported: programs do not agree on what it means");
+  setLens(camera, where, name.empty() ? "opencv" : name, named);
 }
 
 /// The names for one axis of the picture.

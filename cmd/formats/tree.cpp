@@ -155,23 +155,20 @@ void readText(Document& document, std::string text, bool isInline) {
 
 /// Of a folder of a stereo calibration, its first file.
 std::string insideFolder(const std::string& source) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(pathOf(source), ignored))
-    for (const char* file : {"/intrinsics.yml", "/intrinsics.yaml", "/intri.yml"})
-      if (std::filesystem::is_regular_file(pathOf(source + file), ignored)) return source + file;
+  for (const char* file : {"/intrinsics.yml", "/intrinsics.yaml", "/intri.yml"})
+    if (isFile(pathOf(source + file))) return source + file;
   return source;
 }
 
 }  // namespace
 
 void addOtherFile(const Document& file) {
-  std::error_code ignored;
   for (const auto& [word, other] : {std::pair{"intri", "extri"}, {"extri", "intri"}}) {
     std::string name = file.name;
     const std::size_t at = name.rfind(word);
     if (at == std::string::npos) continue;
     name.replace(at, std::string_view(word).size(), other);
-    if (!std::filesystem::is_regular_file(pathOf(name), ignored)) continue;
+    if (!isFile(pathOf(name))) continue;
     const Document beside = readTree(name, "");
     if (beside.root->is_object()) file.root->insert(beside.root->begin(), beside.root->end());
   }

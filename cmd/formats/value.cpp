@@ -18,16 +18,6 @@ constexpr std::string_view kOrders[] = {"x y z w",     "width height", "w h",   
                                         "k1 k2 k3 k4", "u v",          "cx cy",    "fx fy"};
 constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega rpmax";
 
-std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + separator.size());
-  }
-}
-
 std::optional<double> numberIn(const Json& value) {
   const auto numbers = value.is_structured() ? std::nullopt : numbersIn(value);
   return numbers && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
@@ -54,16 +44,13 @@ bool appendOrdered(const Json& object, std::vector<double>& numbers) {
 }
 
 bool appendText(std::string_view text, std::vector<double>& numbers) {
-  constexpr std::string_view kBetween = " \t\r\n,;[]()";
-  const std::size_t before = numbers.size();
-  for (std::size_t at = 0; (at = text.find_first_not_of(kBetween, at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
-    const auto number = parseNumber(text.substr(at, end - at));
+  const std::vector<std::string_view> parts = partsOf(text, " \t\r\n,;[]()");
+  for (const std::string_view part : parts) {
+    const auto number = parseNumber(part);
     if (!number) return false;
     numbers.push_back(*number);
-    at = end;
   }
-  return numbers.size() > before;
+  return !parts.empty();
 }
 
 bool append(const Json& whole, std::vector<double>& numbers) {

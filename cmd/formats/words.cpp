@@ -41,16 +41,6 @@ std::string lowered(std::string_view text) {
   return all;
 }
 
-bool isAmong(std::string_view word, std::string_view words) {
-  for (std::size_t at = words.find(word); at != std::string_view::npos && !word.empty();
-       at = words.find(word, at + 1)) {
-    const bool begins = at == 0 || words[at - 1] == ' ',
-               ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
-    if (begins && ends) return true;
-  }
-  return false;
-}
-
 bool hasWord(std::string_view name, std::string_view words) {
   const std::vector<std::string> each = wordsOf(name);
   return std::any_of(each.begin(), each.end(), [&](const std::string& word) { return isAmong(word, words); });
@@ -66,6 +56,10 @@ std::string_view quaternionOrderOf(std::string_view name) {
   for (const std::string_view order : {"wxyz", "xyzw"})
     if (letters.find(order) != std::string::npos) return order;
   return "";
+}
+
+bool areZero(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
 }
 
 bool isRotation(const std::vector<double>& m) {

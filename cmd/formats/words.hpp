@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +16,13 @@ namespace viewproj::cmd {
 std::vector<std::string> wordsOf(std::string_view name);
 /// In lower case.
 std::string lowered(std::string_view text);
-/// Whether a text is one of words separated by blanks.
-bool isAmong(std::string_view word, std::string_view words);
 /// Whether one of the name's words is among words separated by blanks.
 bool hasWord(std::string_view name, std::string_view words);
 
 /// The order of a quaternion's numbers that its name states: "wxyz", "xyzw"; or empty.
 std::string_view quaternionOrderOf(std::string_view name);
 
+bool areZero(std::span<const double> numbers);
 /// 9 numbers by rows that are a rotation within 1e-3.
 bool isRotation(const std::vector<double>& m);
 /// 12 or 16 numbers by rows whose 3x3 is a rotation, with a last row of 0 0 0 1.

@@ -188,15 +188,11 @@ std::vector<WrittenFile> writeOpen3d(std::span<const WrittenCamera> cameras, std
   };
   std::vector<std::string> list;
   for (const WrittenCamera& camera : cameras) {
-    const auto m = cameraFromWorld(camera);
     const Intrinsics k = atCentres(camera);
-    std::vector<double> columns;
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t i = 0; i < 4; ++i) columns.push_back(i < 3 ? m[4 * i + j] : j < 3 ? 0 : 1);
     JsonObject intrinsic, out = begin("PinholeCameraParameters");
     intrinsic.add("width", camera.width()).add("height", camera.height());
     intrinsic.addText("intrinsic_matrix", jsonListOf(std::array<double, 9>{k.fx, 0, 0, 0, k.fy, 0, k.cx, k.cy, 1}));
-    out.addText("extrinsic", jsonListOf(columns)).addText("intrinsic", intrinsic.text());
+    out.addText("extrinsic", jsonListOf(columnsOf(cameraFromWorld(camera)))).addText("intrinsic", intrinsic.text());
     list.push_back(out.text());
   }
   if (list.size() == 1) return {{"", list.front() + "\n"}};

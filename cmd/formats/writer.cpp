@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "camera/read_lens.hpp"
+#include "camera/read_pose.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
@@ -55,34 +57,13 @@ constexpr double kRounding = 1e-12;
 
 bool isWhole(double number) { return number == std::floor(number); }
 
-/// The largest entry of M^T M - I of the cameras' matrices.
-double rotationError(std::span<const WrittenCamera> cameras) {
-  double largest = 0;
-  for (const WrittenCamera& camera : cameras)
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) {
-        double product = i == j ? -1 : 0;
-        for (std::size_t k = 0; k < 3; ++k) product += camera.worldFromCamera[k][i] * camera.worldFromCamera[k][j];
-        largest = std::max(largest, std::fabs(product));
-      }
-  return largest;
-}
-
-std::uint32_t placeOf(const Lens& lens) {
-  switch (lens.model()) {
-    case LensModel::brown:
-      return kBrownPlace;
-    case LensModel::fisheye:
-      return kFisheyePlace;
-    case LensModel::unified:
-      return kUnifiedPlace;
-    case LensModel::doubleSphere:
-      return kDoubleSpherePlace;
-    case LensModel::omni:
-      return kOmniPlace;
-    default:
-      return kFovPlace;
-  }
+Place placeOf(LensModel model) {
+  return model == LensModel::brown          ? kBrownPlace
+         : model == LensModel::fisheye      ? kFisheyePlace
+         : model == LensModel::unified      ? kUnifiedPlace
+         : model == LensModel::doubleSphere ? kDoubleSpherePlace
+         : model == LensModel::omni         ? kOmniPlace
+                                            : kFovPlace;
 }
 
 /// What a camera has, and a form may have no place for.
@@ -90,7 +71,8 @@ class Places {
  public:
   Places(const WrittenCamera& camera, const Writer& writer) : camera_(camera), file_(camera.file), writer_(writer) {}
 
-  void require() {
+  /// What the form has no place for; empty if there is nothing.
+  std::string lacking() {
     requireParts();
     if (lacks(kPosesAlone)) requirePicture();
     if (lacks(kPosePlace) && !camera_.isAtOrigin() && (lacks(kStereoPosePlace) || !looksAlongZ()))
@@ -100,7 +82,7 @@ class Places {
                 ? "--world-from-camera 0,0,0"
                 : "--position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF") +
            " leaves it out");
-    if (!lacking_.empty()) file_.fail(file_.name + ": " + std::string(writer_.name) + " has no place for " + lacking_);
+    return lacking_;
   }
 
  private:
@@ -120,9 +102,6 @@ class Places {
                            std::fabs(p.bottom() + p.top()) <= kRounding * (p.top() - p.bottom());
     if (!isCentred && lacks(kOffCentrePlace)) lack("a viewing axis off the middle of the picture" + centring());
     if (file_.viewport) requireViewport(*file_.viewport);
-    if ((writer_.places & kNeedsNear) != 0 && !hasDepth(p)) lack("a camera without near; --near gives it");
-    if ((writer_.places & kNeedsFar) != 0 && !std::isfinite(p.zFar()))
-      lack("a far plane at infinity; --far gives another");
   }
 
   /// What moves the axis to the middle, where the document has it.
@@ -146,7 +125,7 @@ class Places {
   void requireLens(const Lens& lens) {
     const std::string without = "; --ignore-distortion leaves out the whole distortion";
     const std::string model(nameOf(lens.model()));
-    if (lacks(static_cast<Place>(placeOf(lens)))) lack("the lens " + model + without);
+    if (lacks(placeOf(lens.model()))) lack("the lens " + model + without);
     const auto& k = lens.k();
     const bool isRational = k[3] != 0 || k[4] != 0 || k[5] != 0;
     const bool isBrown = lens.model() == LensModel::brown;
@@ -197,11 +176,7 @@ WrittenCamera::WrittenCamera(CameraFile read, std::string itsName, std::size_t i
     calibration = readCamera(plain, file.reading).projection;
     return;
   }
-  const Projection& p = *file.projection;
-  const double slope = 1 / calibrated(perspectiveWindow(-1, 1, -1, 1, 0, kInfiniteFar), *file.lens).right();
-  if (slope != 1)
-    calibration =
-        perspectiveWindow(p.left() * slope, p.right() * slope, p.bottom() * slope, p.top() * slope, 0, kInfiniteFar);
+  calibration = asCalibrated(file, *file.projection);
 }
 
 Intrinsics WrittenCamera::intrinsics(double pixelCenter) const {
@@ -223,6 +198,12 @@ std::array<double, 12> worldFromCamera(const WrittenCamera& camera, CameraAxes a
     rows[i] = (isOther ? -1 : 1) * camera.worldFromCamera[i / 4][i % 4] + 0.0;
   }
   return rows;
+}
+
+std::array<double, 16> columnsOf(const std::array<double, 12>& rows) {
+  std::array<double, 16> columns{};
+  for (std::size_t i = 0; i < 16; ++i) columns[i] = i % 4 < 3 ? rows[i % 4 * 4 + i / 4] : i < 15 ? 0 : 1;
+  return columns;
 }
 
 std::vector<double> coefficientsOf(const Lens& lens) {
@@ -247,6 +228,12 @@ std::vector<double> coefficientsOf(const Lens& lens) {
   return c;
 }
 
+std::array<double, 2> depthsFor(const Projection& p) {
+  constexpr double kNear = 0.1, kFar = 2000;  // of three.js
+  const double near = hasDepth(p) ? p.zNear() : std::min(kNear, p.zFar() / 2);
+  return {near, std::isfinite(p.zFar()) ? p.zFar() : std::max(kFar, 2 * near)};
+}
+
 std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& writer) {
   const auto lacks = [&](std::uint32_t place) { return (writer.places & place) == 0; };
   const std::size_t most = lacks(kSeveralPlace) ? 1 : writer.most;
@@ -256,18 +243,36 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
   bool isFromBottom = false, isOnEarth = false;
+  double off = 0;               // a rotation
+  std::set<std::string> given;  // that a camera lacks
+  std::vector<std::string> fitting;
+  std::pair<const CameraFile*, std::string> unfit{};  // the first, and what it lacks
   for (const WrittenCamera& camera : cameras) {
-    Places(camera, writer).require();
     const CameraFile& file = camera.file;
+    std::string lacking = Places(camera, writer).lacking();
+    if (lacking.empty())
+      fitting.push_back(inShell(file.name));
+    else if (!unfit.first)
+      unfit = {&file, std::move(lacking)};
     hasPicture = hasPicture || file.projection;
     hasSize = hasSize || file.viewport;
     hasNear = hasNear || (file.projection && hasDepth(*file.projection));
     hasFar = hasFar || (file.projection && std::isfinite(file.projection->zFar()));
+    if (!lacks(kNeedsNear) && !hasDepth(*file.projection))
+      given.insert("near " + formatNumber(depthsFor(*file.projection)[0]));
+    if (!lacks(kNeedsFar) && !std::isfinite(file.projection->zFar()))
+      given.insert("far " + formatNumber(depthsFor(*file.projection)[1]));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
     isOnEarth = isOnEarth || file.worldIsEcef;
     isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
+    off = std::max(off, lacks(kQuaternions) || !file.pose ? 0 : rotationError(*file.pose));
   }
+  const std::string form(writer.name);
+  constexpr std::size_t kMost = 8;
+  if (unfit.first)
+    unfit.first->fail(unfit.first->name + ": " + form + " has no place for " + unfit.second +
+                      (fitting.empty() ? "" : "; it has for " + someOf(fitting, kMost)));
   std::vector<std::string_view> left;
   if (hasPicture && !lacks(kPosesAlone)) left.push_back("lens");
   if (hasSize && lacks(kSizePlace)) left.push_back("size");
@@ -276,11 +281,13 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (isFromBottom) left.push_back("origin");
   if (hasDepths) left.push_back("depthRange");
   if (hasName && lacks(kNamePlace)) left.push_back(cameras.size() == 1 ? "name" : "names");
-  const std::string form(writer.name);
   std::string told = left.empty() ? "" : form + " has no place for " + together(left) + ": left out";
-  if (const double error = lacks(kQuaternions) ? 0 : rotationError(cameras); error > kRounding)
-    told += (told.empty() ? form : "; it") + " has quaternions, and a matrix is " + formatDigits(error, 2) +
+  if (off > kRounding)
+    told += (told.empty() ? form : "; it") + " has quaternions, and a matrix is " + formatDigits(off, 2) +
             " off a rotation: the nearest is written";
+  if (!given.empty())
+    told += (told.empty() ? form : "; it") + " is given " + joined(std::vector(given.begin(), given.end())) +
+            ", which moves no pixel";
   if (isOnEarth && lacks(kEarthPlace) && !lacks(kPosePlace))
     told += (told.empty() ? form : "; it") +
             " has positions in metres from the Earth's centre, which a program with float32 rounds to half a metre";

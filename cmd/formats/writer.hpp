@@ -47,6 +47,9 @@ std::array<double, 12> cameraFromWorld(const WrittenCamera& camera);
 /// The same of the inverse, for axes RDF or RUB.
 std::array<double, 12> worldFromCamera(const WrittenCamera& camera, CameraAxes axes);
 
+/// 16 numbers by columns of such rows.
+std::array<double, 16> columnsOf(const std::array<double, 12>& rows);
+
 /// k1 k2 p1 p2 k3 [k4 k5 k6], a fisheye's k1 ... k4, xi and k1 k2 p1 p2 of omni, or a model's own numbers.
 std::vector<double> coefficientsOf(const Lens& lens);
 
@@ -98,6 +101,9 @@ struct Writer {
   std::string (*leftOut)(const std::string& source) = nullptr;
 };
 std::span<const Writer> writers();
+
+/// near and far for a form that needs them: the usual ones where the camera has none.
+std::array<double, 2> depthsFor(const Projection& projection);
 
 /// Throws InputError for what would move a pixel and the form cannot say. Returns what else it cannot say, for a note;
 /// or an empty text.

@@ -105,9 +105,9 @@ SceneObject readObject(const Node& object, std::size_t index, bool worldIsEcef) 
   if (const auto height = object.find("height"); height && shapes[0] != "ellipsoid")
     height->fail("goes with ellipsoid alone");
   const auto name = labelOf(object, "name");
-  const Shape shape = shapeOf(object, shapes[0], worldIsEcef);
+  Shape shape = shapeOf(object, shapes[0], worldIsEcef);
   if (!std::visit(IsInRange(), shape)) object.fail(kOutOfRange);
-  return {labelOf(object, "id").value_or(name.value_or(std::to_string(index))), shape};
+  return {labelOf(object, "id").value_or(name.value_or(std::to_string(index))), std::move(shape)};
 }
 
 }  // namespace

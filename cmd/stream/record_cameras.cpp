@@ -169,7 +169,7 @@ RecordCameraFields RecordCameras::locate(const RecordView& record, const NumberP
   };
   for (std::size_t i = 0; i < schema.names.size(); ++i)
     if (!isUsed(i)) names[schema.names[i]];
-  const bool hasNorth = worldIsEcef_ || base_.root->contains("world");
+  const bool hasNorth = worldIsEcef_ || base_.root->value("world", "") != "";
   const auto columns = std::make_shared<const CameraColumns>(names, true, hasNorth);
   RecordCameraFields all{{}, columns};
   std::vector<std::string> unread;

@@ -111,6 +111,41 @@ std::string joined(const std::vector<std::string>& names, std::string_view separ
   return joined(std::vector<std::string_view>(names.begin(), names.end()), separator);
 }
 
+std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return parts;
+}
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + separator.size());
+  }
+}
+
+bool isAmong(std::string_view word, std::string_view words) {
+  for (std::size_t at = words.find(word); at != std::string_view::npos && !word.empty();
+       at = words.find(word, at + 1)) {
+    const bool begins = at == 0 || words[at - 1] == ' ',
+               ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
+    if (begins && ends) return true;
+  }
+  return false;
+}
+
+std::string inShell(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/=+";
+  return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
+}
+
 std::string someOf(const std::vector<std::string>& names, std::size_t most) {
   if (names.size() <= most) return joined(names);
   return joined({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(most)}) + " and " +

@@ -32,6 +32,14 @@ std::string together(const std::vector<std::string_view>& names);
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names, std::string_view separator = ", ");
 std::string joined(const std::vector<std::string>& names, std::string_view separator = ", ");
+/// The parts between any of the separators, without empty ones.
+std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators);
+/// The parts between separators.
+std::vector<std::string_view> split(std::string_view text, std::string_view separator);
+/// Whether a text is one of words separated by blanks.
+bool isAmong(std::string_view word, std::string_view words);
+/// A word of a command line, in quotes where a shell would change it.
+std::string inShell(const std::string& word);
 /// "a, b, c and 7 more".
 std::string someOf(const std::vector<std::string>& names, std::size_t most);
 

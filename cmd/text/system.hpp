@@ -19,6 +19,11 @@ void prepareSystem();
 /// A file's name for std::filesystem. On Windows it would not read a std::string as UTF-8.
 inline std::filesystem::path pathOf(const std::string& name) { return std::u8string(name.begin(), name.end()); }
 
+inline bool isFile(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 bool isTerminal(int descriptor);
 
 /// Whether it is a terminal that obeys escape sequences.

@@ -180,6 +180,7 @@ TEST_CASE("what is written reads back to the same pixels") {
       const bool isOnImu = writer.name == "kalibr" && !cameras.front().isAtOrigin();
       Opening opening{.option = "FILE"};
       if (isOnImu) opening.pick = "imu/*";
+      opening.takesAll = isEachAlone;
       if (has(writer, kPosesAlone)) {
         opening.poses = {file};
         opening.direction = "worldFromCamera";

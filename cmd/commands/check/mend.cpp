@@ -5,6 +5,7 @@
 
 #include "camera/write_camera.hpp"
 #include "text/error.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd::mistakes {
@@ -12,11 +13,6 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 constexpr int kAllDigits = 17;
-
-std::string inShell(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/=+";
-  return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
-}
 
 /// Numbers that have changed, with fewer digits. scale: of the numbers beside it, of which rounding is a part.
 void roundChanged(Json& to, const Json& from, int digits, double scale = 0) {
