@@ -225,13 +225,14 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
   if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
   for (const std::string& each : import_.notes)
-    if (each != kEnuNote || !sets("world")) notes.push_back(name_ + ": " + each);
+    if (!(each == kEnuNote && sets("world")) && !(each == kNoPoseNote && sets("position")))
+      notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
   if (const std::string others = otherWorlds(); !others.empty())
-    notes.push_back(name_ + ": has the same cameras in other worlds: " + others);
+    notes.push_back(name_ + ": points are of its cameras' own world; a pick of " + others + " takes points of that");
   return notes;
 }
 

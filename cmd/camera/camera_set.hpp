@@ -31,6 +31,10 @@ inline constexpr const char* kTranslationNote =
 inline constexpr const char* kEnuNote =
     "heading is clockwise from north, and so x, y, z are read as east, north, up: --set world=enu";
 
+/// Where --parts takes a lens alone.
+inline constexpr const char* kNoPoseNote =
+    "the line takes no pose: points are in the camera's axes, right, down, forward";
+
 /// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty

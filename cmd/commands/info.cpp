@@ -208,6 +208,7 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
     row[number] = valueOr((std::string("projection.") + number).c_str(), nullptr);
   const bool hasItsPose = pose.has_value() && !(mayLackPose && !hasPose(*document.root));
   OrderedJson eye{{"eye", hasItsPose ? asJson(pose->eye()) : OrderedJson()}};
+  const OrderedJson forward = hasItsPose ? asJson(pose->forward()) : OrderedJson();
   try {
     const CameraFile file = readCamera(copied(document), reading);
     // Focal lengths in pixels have no field of view without the picture's size.
@@ -226,6 +227,7 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
   } catch (const CameraError&) {
   }
   row.update(eye);
+  row["forward"] = forward;
   row["pose"] = hasItsPose;
   if (angles) row["angles"] = anglesOf(*angles, values, *convention.preset, pose);
   return row;

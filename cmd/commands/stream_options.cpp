@@ -45,7 +45,8 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what, const cha
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   const OptionGroup group(app, kStreamGroup);
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
-  addValue(app, "--width", "N", width_, wholeNumber(1, kMostFields), "Numbers of a record of f32 or f64 (3; lidar: 4)");
+  addValue(app, "--width", "N", width_, wholeNumber(1, kMostFields),
+           "Numbers of f32 or f64 (3; of 4: --columns 1,2,3)");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");

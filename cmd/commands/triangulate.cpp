@@ -433,7 +433,7 @@ Action declareTriangulate(CLI::App& app) {
       [o](const std::string& option, const std::string& text) {
         o->hasMisses = choose(option, text, Names<bool>{{"misses", true}});
       },
-      "Add the miss of each pixel, given minus computed");
+      "Add the misses, given minus computed (--to json)");
   o->stream.add(app, "pixels");
   removeOption(app, "--jobs");
   o->camera.readForRays();

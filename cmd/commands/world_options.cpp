@@ -87,6 +87,11 @@ OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values
     throw UsageError("--angles " + fault);
   if (const auto* const told = rowNamed(kOrderNotes, order.first); told && pose->world() == Handedness::right)
     note(std::string(told->second));
+  const bool isUnity = order.first == "unity", isUnreal = order.first == "unreal";
+  if (pose->world() == Handedness::left && ((isUnity && preset.up.z != 0) || (isUnreal && preset.up.y != 0)))
+    note("order " + std::string(order.first) + " is of a world with " + (isUnity ? "y" : "z") +
+         " up, unlike this one; viewproj convert --map " +
+         (isUnity ? "y,z,x turns Unreal's into Unity's" : "z,x,y turns Unity's into Unreal's"));
   const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
   Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);

@@ -42,12 +42,14 @@ constexpr std::string_view kF = "projection.f", kF35 = "projection.f35", kFov = 
 constexpr std::string_view kOthers[][2] = {
     {kF, "f focal focalpx focallengthpx"},
     {kF35, "focallengthin35mmformat focallengthin35mmfilm focallength35mm f35mm"},
-    {kFov, "fov fovdeg fovdegrees fieldofview"}};
+    {kFov, "fov fieldofview"}};
 /// What says the lens otherwise than in pixels, by another name than its own.
 constexpr std::string_view kBesidePixels = "f focal focalpx focallengthpx hfov vfov dfov";
 
-/// "x" of "camera_x" and "camX"; a column that is ours with its front stays whole.
+/// "x" of "camera_x" and "camX"; a column that is ours with its front stays whole. "pitch" of "pitch_deg".
 std::string_view bareName(std::string_view column) {
+  for (const std::string_view unit : {"_deg", "_degrees", "_m", "_px"})
+    if (column.ends_with(unit)) column.remove_suffix(unit.size());
   for (const std::string_view front : {"camera", "cam"}) {
     if (!sameButForCase(column.substr(0, front.size()), front) || !pathOfColumn(column, true).empty()) continue;
     std::string_view rest = column.substr(front.size());

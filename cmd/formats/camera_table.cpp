@@ -22,7 +22,8 @@ constexpr std::string_view kNameColumns = "name camera image imagename frame fil
 /// What is written, in this order.
 constexpr std::string_view kWritten =
     "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw cameraAxes world fx fy cx cy "
-    "near far viewport.width viewport.height distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha "
+    "near far viewport.width viewport.height viewport.pixelCenter distortion.model k1 k2 k3 k4 k5 k6 p1 p2 "
+    "distortion.xi distortion.alpha "
     "distortion.beta distortion.omega";
 
 std::string nameOf(const Node& row) {
@@ -119,7 +120,9 @@ void addLens(const Lens& lens, Cells& cells) {
 Cells cellsOf(const WrittenCamera& camera) {
   Cells cells{{"name", camera.label()}};
   addPose(camera, cells);
-  const Intrinsics k = camera.intrinsics(0.5);
+  const double pixelCenter = camera.file.viewport->pixelCenter;
+  if (pixelCenter != 0.5) cells["viewport.pixelCenter"] = formatNumber(pixelCenter);
+  const Intrinsics k = camera.intrinsics(pixelCenter);
   const Projection& p = *camera.file.projection;
   for (const auto& [name, value] : {std::pair("fx", k.fx),
                                     {"fy", k.fy},

@@ -148,7 +148,7 @@ Json pictureOf(const Node& row) {
 Import openPictures(const Node& root) {
   Import result;
   const char* const altitude = columnOf(root[0], kAbsolute) ? kAbsolute : "GPSAltitude";
-  if (!hasGeoid() && columnOf(root[0], altitude)) result.notes.push_back(seaLevelNote(altitude));
+  if (columnOf(root[0], altitude)) result.notes.push_back(seaLevelNote(altitude));
   for (std::size_t i = 0; i < root.size(); ++i)
     result.add(fileOf(root[i]), "", [row = root[i]] { return pictureOf(row); });
   return result;

@@ -69,6 +69,16 @@ std::string worldOf(std::string_view name) {
   return "";
 }
 
+/// Whether what the camera needs is in the file.
+bool canBeRead(const CameraEntry& camera) {
+  try {
+    (void)camera.document();
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// Keeps the cameras of the file's own world, or those of the world that is picked: the same cameras, seen from
 /// elsewhere.
 void keepWorld(Import& file, const std::string& pick) {
@@ -81,7 +91,8 @@ void keepWorld(Import& file, const std::string& pick) {
   }
   for (const CameraEntry& camera : file.cameras)
     if (world.empty() && isLeftOut(camera) &&
-        std::find(file.worlds.begin(), file.worlds.end(), worldOf(camera.name)) == file.worlds.end())
+        std::find(file.worlds.begin(), file.worlds.end(), worldOf(camera.name)) == file.worlds.end() &&
+        canBeRead(camera))
       file.worlds.push_back(worldOf(camera.name));
   std::erase_if(file.cameras, isLeftOut);
 }
@@ -125,6 +136,7 @@ Import importParts(const Node& root, const std::string& line, bool hasPose) {
       result.unread = [names = proposed.pose](std::size_t) {
         return names + ", which looks like a pose; without one points are in the camera's frame";
       };
+  if (!takesPose && !result.unread) result.notes.emplace_back(kNoPoseNote);
   return result;
 }
 

@@ -152,6 +152,10 @@ void RecordCameras::noteReading(const CameraColumns& columns, const std::vector<
   const bool isOfPixels = valueAt(*base_.root, "projection.fx") || columns.hasFocalPixels();
   if (columns.lacksAxes() && columns.hasRotation() && isOfPixels && !statesAxes) note(kAxesNote);
   if (columns.hasTranslation()) note(kTranslationNote);
+  if (columns.hasTurn() && (base_.root->contains("worldFromCamera") || base_.root->contains("cameraFromWorld")))
+    note(
+        "the poses of records replace that of the camera; --world-from-camera TABLE --world-from-camera POSE of the "
+        "camera, with --camera-by, multiplies them");
   for (const std::string& each : columns.notes()) note(each);
   if (!unread.empty()) note("the camera in a record: not read: " + joined(unread));
 }

@@ -314,6 +314,8 @@ class LayoutReader {
     const MatrixLens& lens = *c.lens;
     const double width = lens.right - lens.left, height = lens.top - lens.bottom;
     if (!(2 / width > kFewestPixels && 2 / height > kFewestPixels)) return false;
+    // Pixels count from a corner, which the axis of a projection does not meet.
+    if (c.kind == MatrixKind::projection && lens.left == -lens.right && lens.bottom == -lens.top) return false;
     if (c.scale != 1 && !(c.kind == MatrixKind::viewProjection && std::fabs(width / height - 1) < 0.02)) return false;
     Reading& r = add(c.kind == MatrixKind::projection ? ReadingKind::k : ReadingKind::p);
     r.pixels = PixelLens{
