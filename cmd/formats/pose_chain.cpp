@@ -27,6 +27,21 @@ struct PoseFactor {
   std::vector<std::string> notes = {};
 };
 
+/// A pose with a rotation vector, as an option takes it.
+std::string typedPose(const Json& camera) {
+  const Json *const place = valueAt(camera, "cameraFromWorld.translation"), *const turn = valueAt(
+                                                                                camera,
+                                                                                "cameraFromWorld.rotationVector");
+  const auto p = place ? numbersIn(*place) : std::nullopt, v = turn ? numbersIn(*turn) : std::nullopt;
+  if (!p || !v) return "X,Y,Z rvec:A,B,C";
+  const auto text = [](const std::vector<double>& numbers) {
+    std::vector<std::string> all;
+    for (const double number : numbers) all.push_back(formatNumber(number));
+    return joined(all, ",");
+  };
+  return text(*p) + " rvec:" + text(*v);
+}
+
 /// A pose that is typed, or printed in a file of no form.
 PoseFactor factorOf(Json pose, const std::string& field) {
   CameraEntry camera;
@@ -74,9 +89,11 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds " + read.field +
-                     (field == "worldFromCamera" ? ", as --camera-from-world takes it; in a chain type the pose of "
-                                                   "what the camera sees, as 'X,Y,Z rvec:A,B,C'"
-                                                 : ", as --world-from-camera takes it"));
+                     (field == "worldFromCamera"
+                          ? ", as --camera-from-world takes it; the pose of what the camera sees "
+                            "is a link as it stands: --world-from-camera '" +
+                                typedPose(read.poses.cameras.front().document()) + "'"
+                          : ", as --world-from-camera takes it"));
   PoseFactor factor{
       file, {}, read.field, isOfCamera, isOfCamera && isOwn, read.poses.lacksAxes, pick.has_value(), read.poses.notes};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))

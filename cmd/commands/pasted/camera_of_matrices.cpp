@@ -24,8 +24,8 @@ bool canBe(const ReadMatrix& matrix, ReadingKind kind) {
   return std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == kind; });
 }
 
-/// The kind that its name or the words before it tell, where P is called a projection too; of a matrix without a name,
-/// and of a view-projection, that of all its readings.
+/// The kind that its name or the words before it tell; where it cannot be that, or has no name, and of a
+/// view-projection, that of all its readings.
 std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
   const std::vector<Reading>& readings = matrix.found.readings;
   if (readings.empty()) return std::nullopt;
@@ -35,9 +35,8 @@ std::optional<ReadingKind> kindOf(const ReadMatrix& matrix) {
     return std::all_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind == first; });
   };
   if (told && canBe(matrix, *told)) return told;
-  const bool isP = told == ReadingKind::projection && first == ReadingKind::p;
-  const bool needsNoName = isP || matrix.pasted.name.empty() || first == ReadingKind::viewProjection;
-  return needsNoName && !(told && !isP) && isOne() ? std::optional(first) : std::nullopt;
+  const bool isFree = told || matrix.pasted.name.empty() || first == ReadingKind::viewProjection;
+  return isFree && isOne() ? std::optional(first) : std::nullopt;
 }
 
 std::string shownNameOf(const ReadMatrix& matrix) {
