@@ -51,6 +51,11 @@ Json eulerOf(const std::string& text) {
 }  // namespace
 
 std::optional<Json> poseOfOrigin(const Json& origin) {
+  // Several, or a turn by another name, are none.
+  const Json none = Json::object();
+  if (origin.is_array()) return std::nullopt;
+  for (const auto& [name, value] : (origin.is_object() ? origin : none).items())
+    if (name.starts_with('@') && name != "@xyz" && name != "@rpy") return std::nullopt;
   Json place = Json::array(), turns = Json::array();
   for (const auto& [name, list] : {std::pair("@xyz", &place), {"@rpy", &turns}}) {
     const bool isStated = origin.is_object() && origin.contains(name) && origin[name].is_string();

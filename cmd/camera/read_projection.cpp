@@ -192,7 +192,8 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
   const bool isStated = valueAt(*values.document().root, "viewport") != nullptr;
   const auto* const pixels = values.find<Vec2>("projection.pixels");
   const bool mayBeAny = options.raysAlone && typeOf(values) == kIntrinsics && values.has("projection.cx") &&
-                        values.has("projection.cy") && !values.has("viewport.width") && !values.has("viewport.height");
+                        values.has("projection.cy") && !values.has("viewport.width") &&
+                        !values.has("viewport.height") && !values.has("projection.shift");
   const auto side = [&](FieldId field, FieldId center) {
     if (mayBeAny) return std::max(1.0, 2 * values.require<double>(center));
     return options.needsPicture ? values.require<double>(field) : 1;

@@ -62,7 +62,7 @@ std::vector<std::string> picturesOf(const std::string& file, std::size_t count) 
     std::ifstream lines(file == shownName("-") ? "" : folder / list);
     names.clear();
     for (std::string line; std::getline(lines, line);)
-      if (const auto words = wordsIn(line); !words.empty())
+      if (const auto words = wordsIn(trimmed(line)); !words.empty())
         names.emplace_back(words.front().substr(words.front().starts_with("./") ? 2 : 0));
     if (names.size() == count) return names;
   }

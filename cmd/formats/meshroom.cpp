@@ -34,13 +34,15 @@ void readLens(const Node& intrinsic, Json& camera) {
   for (const Node& each : itemsAt(intrinsic, "distortionParams")) k.push_back(numberOf(each));
   std::string type = textAt(intrinsic, "distortionType");
   if (type.empty()) type = textAt(intrinsic, "type");
-  if (areZero(k)) return;
+  const bool isFisheye = hasWord(type, "fisheye fisheye4 equidistant");
+  if (areZero(k) && !isFisheye) return;
   const auto* const lens =
       std::find_if(std::begin(kLenses), std::end(kLenses), [&](const Lens& each) { return isAmong(type, each.types); });
-  if (lens == std::end(kLenses)) params->fail("is of a lens of the type " + type + ", which is not supported");
+  const Node& at = params ? *params : intrinsic;
+  if (lens == std::end(kLenses)) at.fail("is of a lens of the type " + type + ", which is not supported");
+  if (k.empty()) k.resize(lens->count);
   if (k.size() != lens->count)
-    params->fail("expected " + std::to_string(lens->count) + " numbers of " + type + ", got " +
-                 std::to_string(k.size()));
+    at.fail("expected " + std::to_string(lens->count) + " numbers of " + type + ", got " + std::to_string(k.size()));
   if (type == "radialk3pt") {
     const double scale = 1 + k[0] + k[1] + k[2];
     for (const char* focal : {"fx", "fy"})
@@ -49,7 +51,7 @@ void readLens(const Node& intrinsic, Json& camera) {
   }
   const bool isTangential = lens->count > 3;
   if (lens->model == "brown") k = {k[0], k[1], isTangential ? k[3] : 0, isTangential ? k[4] : 0, k[2]};
-  setLens(camera, *params, lens->model, k);
+  setLens(camera, at, lens->model, k);
 }
 
 using Version = std::array<double, 3>;

@@ -163,12 +163,19 @@ std::optional<Json> jointPose(const Document& file, const std::optional<std::str
     if (each.contains("origin") && (!name || each.value("@name", "") == *name)) origins.push_back(&each["origin"]);
     if (!linkOf(each, "child").empty()) joints.push_back(&each);
   });
+  // A joint may be called as a link is: the origin of the one and the whole way to the other are two poses.
+  const auto leadsTo = [&](const std::string& link) {
+    return std::find_if(joints.begin(), joints.end(), [&](const Json* each) { return linkOf(*each, "child") == link; });
+  };
+  if (const auto joint = name ? leadsTo(*name) : joints.end();
+      joint != joints.end() && origins.size() == 1 &&
+      (valueAt(**joint, "origin") != origins.front() || leadsTo(linkOf(**joint, "parent")) != joints.end()))
+    throw InputError(file.name + ": " + inQuotes(*name) + " is a joint and a link, which have other poses");
   if (origins.size() == 1) return poseOfOrigin(*origins.front());
   if (!name || joints.empty()) return std::nullopt;
   Json chain = Json::array();
   for (std::string link = *name; chain.size() < joints.size();) {
-    const auto joint =
-        std::find_if(joints.begin(), joints.end(), [&](const Json* each) { return linkOf(*each, "child") == link; });
+    const auto joint = leadsTo(link);
     if (joint == joints.end()) break;
     const Json& moved = **joint;
     if (const std::string type = moved.value("@type", ""); type != "fixed")
@@ -194,16 +201,26 @@ extern const Format kPoses{"poses", "poses without a lens",
 
 namespace {
 
-/// The seconds that a camera's name says: without its folders and ending, and from whole milliseconds (13 digits),
-/// microseconds (16) or nanoseconds (17 and more). Nothing for another name.
-std::optional<std::string> secondsOf(const WrittenCamera& camera) {
+/// The number that a camera's name is, without its folders and ending; nothing for another name.
+std::optional<std::string> timeIn(const WrittenCamera& camera) {
   std::string text = camera.name.substr(camera.name.rfind('/') + 1);
   if (!parseNumber(text)) text.resize(std::min(text.rfind('.'), text.size()));
-  if (!parseNumber(text)) return std::nullopt;
-  const std::size_t digits = std::all_of(text.begin(), text.end(), isDigit) ? text.size() : 0;
-  if (const std::size_t decimals = digits > 16 ? 9 : digits == 16 ? 6 : digits == 13 ? 3 : 0; decimals > 0)
-    text.insert(digits - decimals, ".");
-  return text;
+  return parseNumber(text) ? std::optional(text) : std::nullopt;
+}
+
+/// Seconds of times, where whole ones count what the longest tells: milliseconds (13 digits), microseconds (16) or
+/// nanoseconds (17 and more).
+void makeSeconds(std::vector<std::pair<std::string, const WrittenCamera*>>& times) {
+  const auto isWhole = [](const std::string& time) { return std::all_of(time.begin(), time.end(), isDigit); };
+  std::size_t digits = 0;
+  for (const auto& [time, camera] : times)
+    if (isWhole(time)) digits = std::max(digits, time.size());
+  const std::size_t decimals = digits > 16 ? 9 : digits == 16 ? 6 : digits == 13 ? 3 : 0;
+  for (auto& [time, camera] : times) {
+    if (decimals == 0 || !isWhole(time)) continue;
+    if (time.size() <= decimals) time.insert(0, decimals + 1 - time.size(), '0');
+    time.insert(time.size() - decimals, ".");
+  }
 }
 
 }  // namespace
@@ -211,18 +228,23 @@ std::optional<std::string> secondsOf(const WrittenCamera& camera) {
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
   std::vector<std::pair<std::string, const WrittenCamera*>> timed;
   for (const WrittenCamera& camera : cameras)
-    if (const auto seconds = secondsOf(camera)) timed.emplace_back(*seconds, &camera);
+    if (const auto time = timeIn(camera)) timed.emplace_back(*time, &camera);
   std::string text = "# timestamp tx ty tz qx qy qz qw\n", told;
   if (timed.size() < cameras.size()) {
-    if (std::any_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) { return !camera.name.empty(); }))
-      told = "names are no times: 0, 1, 2 \u2026 are written";
+    const bool areNamed =
+        std::any_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) { return !camera.name.empty(); });
+    told = std::string(areNamed ? "names are no times" : "there are no times") + ": 0, 1, 2 \u2026 are written";
     timed.clear();
     for (const WrittenCamera& camera : cameras) timed.emplace_back(camera.number, &camera);
   }
+  makeSeconds(timed);
   std::stable_sort(timed.begin(), timed.end(), [](const auto& a, const auto& b) {
     const double x = *parseNumber(a.first), y = *parseNumber(b.first);
     return x != y ? x < y : a.first < b.first;
   });
+  for (std::size_t i = 1; i < timed.size() && told.empty(); ++i)
+    if (*parseNumber(timed[i - 1].first) == *parseNumber(timed[i].first))
+      told = "several have the time " + timed[i].first;
   for (const auto& [seconds, camera] : timed) {
     const auto [columns, place] = worldFromCamera(camera->pose, CameraAxes::RDF);
     text += seconds;

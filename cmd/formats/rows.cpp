@@ -152,7 +152,9 @@ constexpr Row kRows[] = {
      "isFisheye?=is_fisheye|/is_fisheye|fisheye|/fisheye, " POSES ", name?=name",
      NOTHING_READ " raw_* setup color_order",
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *"},
-    {"lookat", "eye, target, fovY by name", EYES " " TARGETS " " VERTICAL_FOVS " !projection !fx",
+    {"lookat", "eye, target, fovY by name",
+     EYES " " TARGETS " " VERTICAL_FOVS
+          " !projection !fx !type !mode !ortho !orthographic !orthoSize !parallel !leftHanded !hfov !fov",
      "position=" EYES ", target=" TARGETS ", up?=up|up_vector|upVector|view_up|viewUp, fovY=" VERTICAL_FOVS ", " SIZES
      ", near?=near|zNear|znear|near_plane|near_clip, far?=far|zFar|zfar|far_plane|far_clip, "
      "aspect?=aspect|aspectRatio|aspect_ratio, name?=name",

@@ -34,7 +34,7 @@ constexpr std::string_view kUnits = "deg degs degree degrees rad rads radian rad
 constexpr std::string_view kLensWords =
     "dist disto distortion distortions xi alpha skew crop binning offset shift rectif zoom rolling mirror poly "
     "polynomial tangential radial ftheta fisheye kappa gamma s prism rotate rotated flip flipped aspect scale resize "
-    "downsample barrel pincushion";
+    "downsample barrel pincushion coeffs coeff coefs coef coefficients";
 /// Objects whose numbers are a lens's, but for those of the glass itself.
 constexpr std::string_view kLensBoxes = "lens lenses optics dist disto distortion distortions undistort undistortion",
                            kOfGlass = "focal focus aperture stop number sensor width height diameter weight min max";

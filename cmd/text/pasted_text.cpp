@@ -122,9 +122,9 @@ void blankLogPrefixes(std::string& t) {
     const std::string_view line = std::string_view(t).substr(begin, end - begin);
     const std::size_t word = line.find_last_not_of("0123456789.+-eE,;|()[]{} \t");
     const std::size_t front = word == kNone ? 0 : std::min(line.find_first_of(" \t]", word), line.size());
-    std::string shape;  // a 0 for each number
+    std::string shape;  // a 0 for each number, and no blanks
     for (const char c : line.substr(0, front))
-      if (!isDigit(c) || !shape.ends_with('0')) shape += isDigit(c) ? '0' : c;
+      if (isDigit(c) ? !shape.ends_with('0') : !isAmong(c, " \t")) shape += isDigit(c) ? '0' : c;
     if (shape == last && shape.find("0:0:0") != kNone)
       blank(t, begin, begin + std::min(line.find_first_not_of("] \t", front), line.size()));
     last = std::move(shape);

@@ -156,7 +156,7 @@ OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
       std::array<double, 4> turned = q;
       turned[k] += turnError(r) / 2;
       const Vec3 moved = degreesOf(poseFromRotation({}, {turned[0], turned[1], turned[2], turned[3]}, axes));
-      for (std::size_t i = 0; i < 3; ++i) error[i] = std::hypot(error[i], std::remainder(moved[i] - degrees[i], 360));
+      for (std::size_t i = 0; i < 3; ++i) error[i] += std::fabs(std::remainder(moved[i] - degrees[i], 360));
     }
     for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
     angles[name] = asJson(degrees);
@@ -250,22 +250,26 @@ std::vector<std::string> notesOn(const Reading& r, const PastedMatrix& m) {
 // ---- For people
 
 /// The shortest number within an error of the value.
-std::string shortest(double value, double error) {
+double shortest(double value, double error) {
+  if (std::fabs(value) <= error) return 0;
   int digits = 1;
   while (digits < 17 && !(std::fabs(toDigits(value, digits) - value) <= error)) ++digits;
-  return std::fabs(value) <= error ? "0" : formatDigits(value, digits);
+  return toDigits(value, digits);
 }
 
+/// The error is rounded up.
 std::string plusMinus(const std::string& value, double error) {
-  return error > 0 ? value + " ± " + formatDigits(error, 2) : value;
+  const double rounded = toDigits(error, 2);
+  return error > 0 ? value + " ± " + formatDigits(rounded < error ? 1.05 * error : rounded, 2) : value;
 }
 
 std::string planeText(const PlaneDistance& d) {
   constexpr double kSure = 0.01;
   if (std::isinf(d.value)) return "infinite" + (std::isinf(d.low) ? "" : ", at least " + formatDigits(d.low, 2));
-  const std::string value = shortest(d.value, std::min(d.value - d.low, d.high - d.value));
+  const double shown = shortest(d.value, std::min(d.value - d.low, d.high - d.value));
+  const std::string value = formatNumber(shown);
   if (std::isinf(d.high)) return value + ", at least " + formatDigits(d.low, 2);
-  const double error = (d.high - d.low) / 2;
+  const double error = std::max(d.high - shown, shown - d.low);
   return error <= kSure * std::fabs(d.value)
              ? plusMinus(value, error)
              : value + " (" + formatDigits(d.low, 3) + " .. " + formatDigits(d.high, 3) + ")";
@@ -282,8 +286,9 @@ OrderedJson pageWithError(const OrderedJson& value, const OrderedJson& error, do
   std::vector<std::string> parts;
   double most = 0, size = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    parts.push_back(shortest(numbers[i], errors[i]));
-    most = std::max(most, errors[i]);
+    const double shown = shortest(numbers[i], errors[i]);
+    parts.push_back(formatNumber(shown));
+    most = std::max(most, errors[i] + std::fabs(shown - numbers[i]));
     size = std::max(size, std::fabs(numbers[i]));
   }
   return most < least * size ? value : OrderedJson(plusMinus(joined(parts), most));
