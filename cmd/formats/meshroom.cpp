@@ -85,6 +85,7 @@ Import open(const Node& root) {
   const Version version{v[0], v[1], v[2]};
   const std::map<std::string, Node> intrinsics = byId(root, "intrinsics", "intrinsicId"),
                                     poses = byId(root, "poses", "poseId");
+  refuse(root, "rigs", "has poses of rigs, which are not those of their cameras, and are not supported");
   Import result;
   for (const Node& view : itemsAt(root, "views")) {
     const std::string path = textAt(view, "path"), id = textAt(view, "viewId");
