@@ -114,7 +114,9 @@ class Scanner {
     if (at(i) != '[') return kNone;
     const std::size_t first = afterBlanks(i + 1), firstEnd = afterBlanks(afterDigits(first));
     const bool isRange = t_.substr(std::min(firstEnd, t_.size()), 2) == "..";
-    const std::size_t second = isRange ? afterBlanks(firstEnd + 2) : at(firstEnd) == ',' ? afterBlanks(firstEnd + 1) : firstEnd;
+    const std::size_t second = isRange               ? afterBlanks(firstEnd + 2)
+                               : at(firstEnd) == ',' ? afterBlanks(firstEnd + 1)
+                                                     : firstEnd;
     const std::size_t end = afterBlanks(afterDigits(second));
     if (at(end) != ']') return kNone;
     const bool isPair = isDigit(at(first)) && (isRange || at(firstEnd) == ',') && isDigit(at(second));
