@@ -8,6 +8,7 @@
 
 #include "camera/plain_vectors.hpp"
 #include "camera/read_pose.hpp"
+#include "numbers/vectors.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
@@ -32,7 +33,7 @@ Vec3 axisOf(char letter, const PlainPose& p) {
 
 Vec3 rotationVectorOf(const PlainColumns& c) {
   const std::array<double, 4> q = quaternionOf(c);
-  const double sine = std::hypot(q[0], q[1], q[2]);
+  const double sine = detail::hypotenuse(q[0], q[1], q[2]);
   return scaled({q[0], q[1], q[2]}, sine > 0 ? 2 * std::atan2(sine, q[3]) / sine : 2);
 }
 

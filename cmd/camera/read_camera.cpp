@@ -115,7 +115,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   file.pose = readPose(values, stated);
   if (const auto* const target = values.find<Position>("target"); target && file.pose) {
     const Vec3 eye = file.pose->eye(), at = target->point;
-    file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
+    file.targetDistance = detail::hypotenuse(at.x - eye.x, at.y - eye.y, at.z - eye.z);
   }
   const auto picture = readPicture(values, stated, reading);
   file.projection = readProjection(values, stated, picture, reading);

@@ -7,6 +7,7 @@
 #include "camera/rigid.hpp"
 #include "camera/sea_level.hpp"
 #include "numbers/double_double.hpp"
+#include "numbers/vectors.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -300,7 +301,8 @@ RigidTransform readRigid(const Node& value) {
   if (vector) {
     constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
     const Vec3 v = vector->vec3();
-    if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
+    if (!(detail::hypotenuse(v.x, v.y, v.z) <= kLargest))
+      vector->fail("its length is the angle in radians, at most 1e6");
     return {RotationVector{v}, translation};
   }
   Mat4 matrix;

@@ -12,6 +12,7 @@
 #include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "numbers/vectors.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/model.hpp"
@@ -411,7 +412,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
     return terms;
   });
   steps.step("length", "sqrt(toward.x*toward.x + toward.y*toward.y + toward.z*toward.z)",
-             std::hypot(toward.x, toward.y, toward.z));
+             detail::hypotenuse(toward.x, toward.y, toward.z));
   for (std::size_t i = 0; i < 3; ++i)
     steps.step("direction" + kAxes[i], "toward" + kAxes[i] + " / length", ray.direction[i]);
   OrderedJson result{{"origin", asJson(ray.origin)},

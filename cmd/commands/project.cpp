@@ -10,6 +10,7 @@
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
+#include "numbers/vectors.hpp"
 #include "output/results.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
@@ -68,7 +69,7 @@ Bearing bearingFromEye(P p) {
 }
 double rangeOf(P p) {
   const Vec3 to = fromEye(p);
-  return p.point.w == 0 ? kNaN : std::hypot(to.x, to.y, to.z);
+  return p.point.w == 0 ? kNaN : detail::hypotenuse(to.x, to.y, to.z);
 }
 Vec4 edgesOf(P p) {
   const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});

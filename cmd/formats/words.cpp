@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/fields.hpp"
+#include "numbers/vectors.hpp"
 #include "text/number.hpp"
 #include "text/pattern.hpp"
 #include "text/utf8.hpp"
@@ -84,7 +85,7 @@ bool isRigid(const std::vector<double>& m) {
 bool isProjection(const std::vector<double>& m, double least) {
   if ((m.size() != 12 && m.size() != 16) || isRigid(m)) return false;
   if (m.size() == 16 && !(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1)) return false;
-  const double scale = std::hypot(m[8], m[9], m[10]);
+  const double scale = detail::hypotenuse(m[8], m[9], m[10]);
   if (!(scale > 1e-9) || !std::isfinite(scale)) return false;
   const double c[3] = {m[8] / scale, m[9] / scale, m[10] / scale};
   const auto across = [&](std::size_t row, double(&out)[3]) {
@@ -94,7 +95,7 @@ bool isProjection(const std::vector<double>& m, double least) {
   };
   double p[3], q[3];
   const double cx = across(0, p), cy = across(4, q);
-  const double fx = std::hypot(p[0], p[1], p[2]), fy = std::hypot(q[0], q[1], q[2]);
+  const double fx = detail::hypotenuse(p[0], p[1], p[2]), fy = detail::hypotenuse(q[0], q[1], q[2]);
   const double skew = std::fabs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
   return fx > least && fy > least && fx / fy > 0.1 && fx / fy < 10 && skew < 0.01 * fx * fy && cx > 0 && cy > 0;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "camera/pose.hpp"
+#include "numbers/vectors.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -31,7 +32,7 @@ PlaneDistance quotient(const Interval& a, const Interval& b) noexcept {
 
 }  // namespace
 
-double lengthOf(const std::array<double, 4>& row) noexcept { return std::hypot(row[0], row[1], row[2]); }
+double lengthOf(const std::array<double, 4>& row) noexcept { return hypotenuse(row[0], row[1], row[2]); }
 
 Mat4 roundingErrors(const Mat4& m) noexcept {
   Mat4 errors;

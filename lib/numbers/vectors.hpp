@@ -57,6 +57,16 @@ inline DDVec3 scaleByPowerOfTwo(const DDVec3& a, int exponent) noexcept {
 inline double length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 inline double length(const Vec3& v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
+/// As std::hypot, which each standard library rounds in its own way for three numbers.
+inline double hypotenuse(double x, double y, double z) noexcept {
+  const double largest = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
+  if (largest == 0) return 0;
+  x /= largest;
+  y /= largest;
+  z /= largest;
+  return largest * std::sqrt(x * x + y * y + z * z);
+}
+
 inline double maxAbs(const Vec3& a) noexcept { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 inline double maxAbs(const DDVec3& a) noexcept { return maxAbs(rounded(a)); }
 

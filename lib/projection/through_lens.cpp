@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lens/inverse.hpp"
+#include "numbers/vectors.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
 #include "projection/kernels/kernels.hpp"
@@ -53,7 +54,7 @@ double turnOf(const CameraParts& c, const Vec4& point, double pointError) noexce
   const double away = point.w == 0 ? 0 : eye + pointError;
   if (!(away > 0)) return angle;
   const double distance =
-      std::hypot(point.x / point.w - c.pose.eye.x, point.y / point.w - c.pose.eye.y, point.z / point.w - c.pose.eye.z);
+      hypotenuse(point.x / point.w - c.pose.eye.x, point.y / point.w - c.pose.eye.y, point.z / point.w - c.pose.eye.z);
   return away < distance ? angle + away / (distance - away) : kInfinity;
 }
 

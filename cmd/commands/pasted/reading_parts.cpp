@@ -130,7 +130,7 @@ void addRounding(Mat4& errors, const Mat4& m, bool isFloat, const Vec3& eye) {
     const double ofEye = std::fabs(m[i][0] * eye.x) + std::fabs(m[i][1] * eye.y) + std::fabs(m[i][2] * eye.z);
     for (std::size_t j = 0; j < 4; ++j)
       if (m[i][j] != 0 || errors[i][j] != 0)
-        errors[i][j] += unit * (j < 3 ? std::hypot(m[i][0], m[i][1], m[i][2]) : std::fabs(m[i][3]) + ofEye);
+        errors[i][j] += unit * (j < 3 ? detail::hypotenuse(m[i][0], m[i][1], m[i][2]) : std::fabs(m[i][3]) + ofEye);
   }
 }
 

@@ -87,7 +87,7 @@ double turnError(const Reading& r) { return r.axesError / std::numbers::sqrt2; }
 
 OrderedJson rotationJson(const Reading& r, OrderedJson& errors) {
   const std::array<double, 4> q = turnOf(r);
-  const double size = std::hypot(q[0], q[1], q[2]);
+  const double size = detail::hypotenuse(q[0], q[1], q[2]);
   OrderedJson axis;
   if (size > 0) axis = {q[0] / size, q[1] / size, q[2] / size};
   errors = {{"quaternion", turnError(r) / 2}, {"degrees", turnError(r) * kDegrees}};
