@@ -324,9 +324,9 @@ class Points {
           isBinary ? Form::text : record.schema->form, false, 1, {hasName ? record.schema->names[field] : "point"}};
       schema_.separator = record.schema->separator;
     }
-    for (const Sighting& other : sightings_)
-      if (!field_ && seen && other.eye == seen->eye)
-        throw RecordError(0, "is the second pixel of its camera, after line " + std::to_string(other.line) +
+    if (!field_ && seen)
+      if (const auto [other, isFirst] = lineOf_.try_emplace(seen->eye, seen->line); !isFirst)
+        throw RecordError(0, "is the second pixel of its camera, after line " + std::to_string(other->second) +
                                  "; --by FIELD names the point of each");
     if (isSorted_ && !names_.empty() && *names_.front() != name) flush();
     const auto [found, isNew] = index_.try_emplace(std::move(name), names_.size());
@@ -359,6 +359,7 @@ class Points {
   const std::optional<std::string>& field_;
   bool isSorted_;
   Schema schema_;
+  std::unordered_map<const Eye*, std::size_t> lineOf_;  ///< where all are of one point
   std::unordered_map<std::string, std::uint32_t> index_;
   std::vector<const std::string*> names_;
   std::vector<Sighting> sightings_;

@@ -208,46 +208,52 @@ std::optional<std::string> timeIn(const WrittenCamera& camera) {
   return parseNumber(text) ? std::optional(text) : std::nullopt;
 }
 
+struct Timed {
+  std::string time;  ///< as it is written: a double has not all of its digits
+  const WrittenCamera* camera;
+  double seconds = 0;
+};
+
 /// Seconds of times, where whole ones count what the longest tells: milliseconds (13 digits), microseconds (16) or
 /// nanoseconds (17 and more).
-void makeSeconds(std::vector<std::pair<std::string, const WrittenCamera*>>& times) {
+void makeSeconds(std::vector<Timed>& all) {
   const auto isWhole = [](const std::string& time) { return std::all_of(time.begin(), time.end(), isDigit); };
   std::size_t digits = 0;
-  for (const auto& [time, camera] : times)
-    if (isWhole(time)) digits = std::max(digits, time.size());
+  for (const Timed& each : all)
+    if (isWhole(each.time)) digits = std::max(digits, each.time.size());
   const std::size_t decimals = digits > 16 ? 9 : digits == 16 ? 6 : digits == 13 ? 3 : 0;
-  for (auto& [time, camera] : times) {
-    if (decimals == 0 || !isWhole(time)) continue;
-    if (time.size() <= decimals) time.insert(0, decimals + 1 - time.size(), '0');
-    time.insert(time.size() - decimals, ".");
+  for (auto& [time, camera, seconds] : all) {
+    if (decimals > 0 && isWhole(time)) {
+      if (time.size() <= decimals) time.insert(0, decimals + 1 - time.size(), '0');
+      time.insert(time.size() - decimals, ".");
+    }
+    seconds = *parseNumber(time);
   }
 }
 
 }  // namespace
 
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
-  std::vector<std::pair<std::string, const WrittenCamera*>> timed;
+  std::vector<Timed> timed;
   for (const WrittenCamera& camera : cameras)
-    if (const auto time = timeIn(camera)) timed.emplace_back(*time, &camera);
+    if (const auto time = timeIn(camera)) timed.push_back({*time, &camera});
   std::string text = "# timestamp tx ty tz qx qy qz qw\n", told;
   if (timed.size() < cameras.size()) {
     const bool areNamed =
         std::any_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) { return !camera.name.empty(); });
     told = std::string(areNamed ? "names are no times" : "there are no times") + ": 0, 1, 2 \u2026 are written";
     timed.clear();
-    for (const WrittenCamera& camera : cameras) timed.emplace_back(camera.number, &camera);
+    for (const WrittenCamera& camera : cameras) timed.push_back({camera.number, &camera});
   }
   makeSeconds(timed);
-  std::stable_sort(timed.begin(), timed.end(), [](const auto& a, const auto& b) {
-    const double x = *parseNumber(a.first), y = *parseNumber(b.first);
-    return x != y ? x < y : a.first < b.first;
+  std::stable_sort(timed.begin(), timed.end(), [](const Timed& a, const Timed& b) {
+    return a.seconds != b.seconds ? a.seconds < b.seconds : a.time < b.time;
   });
   for (std::size_t i = 1; i < timed.size() && told.empty(); ++i)
-    if (*parseNumber(timed[i - 1].first) == *parseNumber(timed[i].first))
-      told = "several have the time " + timed[i].first;
-  for (const auto& [seconds, camera] : timed) {
+    if (timed[i - 1].time == timed[i].time) told = "several have the time " + timed[i].time;
+  for (const auto& [time, camera, seconds] : timed) {
     const auto [columns, place] = worldFromCamera(camera->pose, CameraAxes::RDF);
-    text += seconds;
+    text += time;
     for (std::size_t i = 0; i < 3; ++i) text += " " + formatNumber(place[i]);
     for (const double number : quaternionOf(columns)) text += " " + formatNumber(number);
     text += "\n";
