@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "camera/plain_vectors.hpp"
 #include "camera/read_lens.hpp"
 #include "camera/read_pose.hpp"
-#include "numbers/vectors.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -114,8 +114,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   readWorld(values, file);
   file.pose = readPose(values, stated);
   if (const auto* const target = values.find<Position>("target"); target && file.pose) {
-    const Vec3 eye = file.pose->eye(), at = target->point;
-    file.targetDistance = detail::hypotenuse(at.x - eye.x, at.y - eye.y, at.z - eye.z);
+    file.targetDistance = apart(target->point, file.pose->eye());
   }
   const auto picture = readPicture(values, stated, reading);
   file.projection = readProjection(values, stated, picture, reading);

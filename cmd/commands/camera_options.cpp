@@ -217,15 +217,10 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   } catch (const UnknownFormat& unknown) {
     if (parts_ || (showsMatrices_ && !changesCamera())) throw;
     const std::string shown = isInlineJson(source.file) ? opening.option : shownName(source.file);
-    try {
-      const auto matrices = cameraOfMatrices(unknown, shown, readAs());
-      if (!matrices) throw;
-      all.readAs.clear();
-      return {openDocument(parseDocument(shown, *matrices), opening, std::move(all)), source.pick};
-    } catch (AmbiguousMatrix& e) {
-      e.text = unknown.text;
-      throw;
-    }
+    const auto matrices = cameraOfMatrices(unknown, shown, readAs());
+    if (!matrices) throw;
+    all.readAs.clear();
+    return {openDocument(parseDocument(shown, *matrices), opening, std::move(all)), source.pick};
   }
 }
 

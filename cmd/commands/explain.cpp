@@ -8,11 +8,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "camera/plain_vectors.hpp"
 #include "camera/read_camera.hpp"
 #include "camera/sea_level.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "numbers/vectors.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/model.hpp"
@@ -411,8 +411,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
     terms.insert(terms.begin(), Term{"eye" + kAxes[i]});
     return terms;
   });
-  steps.step("length", "sqrt(toward.x*toward.x + toward.y*toward.y + toward.z*toward.z)",
-             detail::hypotenuse(toward.x, toward.y, toward.z));
+  steps.step("length", "sqrt(toward.x*toward.x + toward.y*toward.y + toward.z*toward.z)", length(toward));
   for (std::size_t i = 0; i < 3; ++i)
     steps.step("direction" + kAxes[i], "toward" + kAxes[i] + " / length", ray.direction[i]);
   OrderedJson result{{"origin", asJson(ray.origin)},

@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "camera/sea_level.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
-#include "numbers/vectors.hpp"
 #include "output/results.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
@@ -67,10 +67,7 @@ Bearing bearingFromEye(P p) {
   if (!p.from.knowsUp) return {kNaN, kNaN};
   return bearingOf(fromEye(p), p.camera.pose().eye(), p.from.worldIsEcef);
 }
-double rangeOf(P p) {
-  const Vec3 to = fromEye(p);
-  return p.point.w == 0 ? kNaN : detail::hypotenuse(to.x, to.y, to.z);
-}
+double rangeOf(P p) { return p.point.w == 0 ? kNaN : length(fromEye(p)); }
 Vec4 edgesOf(P p) {
   const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
   return {box.left, box.top, box.right, box.bottom};

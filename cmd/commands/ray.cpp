@@ -193,8 +193,7 @@ class Caster final : public RecordProcessor {
                                   : Bearing{NAN, NAN};
       values.add(&row == &results::azimuth ? bearing.azimuth : bearing.elevation);
     } else if (&row == &results::range) {
-      const Vec3 eye = cast.camera.pose().eye(), &at = cast.point.position;
-      values.add(detail::hypotenuse(at.x - eye.x, at.y - eye.y, at.z - eye.z));
+      values.add(apart(cast.point.position, cast.camera.pose().eye()));
     } else if (&row == &results::bound) {
       values.add(isPoint ? cast.point.bound : NAN);
     } else {

@@ -151,6 +151,18 @@ void keepOfCalibration(ReadMatrix& matrix) {
   if (readings.empty()) matrix.found.fault = "none of its readings has the K's axes; --world-from-camera adds a pose";
 }
 
+/// A preset for each reading that has one.
+std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  std::vector<std::string_view> names;
+  for (const Reading& r : readings)
+    for (const ConventionPreset& preset : conventionPresets())
+      if (fits(r, preset.convention, isInMemoryOrder) && differences(r, preset.convention).empty()) {
+        names.push_back(preset.name);
+        break;
+      }
+  return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
+}
+
 }  // namespace
 
 std::string_view presetOf(const std::vector<ReadMatrix>& matrices) {
@@ -169,18 +181,6 @@ void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices)
   if (file.isPlainText) std::erase_if(others, [](const std::string& path) { return !path.starts_with('#'); });
   if (!others.empty())
     note(file.name + ": numbers that are no matrix: " + someOf(others, 8) + "; viewproj help parts reads them");
-}
-
-/// A preset for each reading that has one.
-std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
-  std::vector<std::string_view> names;
-  for (const Reading& r : readings)
-    for (const ConventionPreset& preset : conventionPresets())
-      if (fits(r, preset.convention, isInMemoryOrder) && differences(r, preset.convention).empty()) {
-        names.push_back(preset.name);
-        break;
-      }
-  return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
 }
 
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
@@ -266,7 +266,12 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     return c;
   };
   const auto add = [&](const ReadMatrix& matrix, std::string name) {
-    set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
+    try {
+      set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
+    } catch (AmbiguousMatrix& e) {
+      e.text = file.text;
+      throw;
+    }
     set.matrices.back().name = std::move(name);
   };
   if (stand) add(*stand, anyView ? "view" : "viewInverse");
