@@ -127,7 +127,7 @@ Import importParts(const Node& root, const std::string& line, bool hasPose) {
   if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
   const bool takesPose =
       hasPose || std::any_of(parts.begin(), parts.end(), [](const Part& part) {
-        return part.name == "P" || part.name == "position" || part.name.find("From") != std::string::npos;
+        return isAmong(part.name, "P position latLonHeight heading") || part.name.find("From") != std::string::npos;
       });
   Import result{camerasOfParts(root, std::move(parts), {}, "")};
   const Proposal proposal = takesPose ? Proposal{} : proposeParts(root.document());

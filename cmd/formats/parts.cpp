@@ -22,12 +22,14 @@ constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
     {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
 constexpr std::string_view kNames =
     "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
-    "worldFromCamera position target direction up euler name";
+    "worldFromCamera position latLonHeight target direction up euler heading name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
                            kTurns = "rotation rotationVector quaternion quaternionWFirst",
                            kPoseForms = "rotation rotationVector quaternion quaternionWFirst translation";
+
+constexpr const char* kHeadingTurns[] = {"heading", "pitch", "roll"};
 
 using FoundParts = std::map<std::string, Found, std::less<>>;
 
@@ -37,6 +39,10 @@ class Parts {
   Parts(FoundParts found, const Node& root) : found_(std::move(found)), root_(root) {}
 
   bool has(std::string_view part) const { return found_.contains(part); }
+  bool hasAny(std::string_view parts) const {
+    const std::vector<std::string_view> all = wordsIn(parts);
+    return std::any_of(all.begin(), all.end(), [&](std::string_view part) { return has(part); });
+  }
   const Found& operator[](std::string_view part) const { return found_.find(part)->second; }
   /// The value that messages name: of numbers that the line itself has, the file.
   const Node& node(std::string_view part) const {
@@ -205,7 +211,7 @@ Json rigidOf(const Parts& parts, const std::string& pose, const std::string& tur
     if (count == 3 || count == 4)
       parts.fail(turn, "expected 9 numbers, got " + std::to_string(count) + "; say " + pose +
                            (count == 3 ? ".rotationVector" : ".quaternion"));
-    rigid["rotation"] = rowsOf(parts.numbers(turn, {9}), 3);
+    rigid["rotation"] = rowsOf(withThirdRow(parts.numbers(turn, {6, 9})), 3);
   } else if (turn.ends_with("rotationVector")) {
     rigid["rotationVector"] = parts.numbers(turn, {3});
   } else {
@@ -259,12 +265,22 @@ bool readPose(const Parts& parts, Json& camera) {
     const std::vector<double>& v = parts.numbers(field, {3});
     camera[field] = std::string_view(field) == "euler" ? Json{{"degrees", v}} : Json(v);
   }
+  if (parts.has("latLonHeight")) {
+    const std::vector<double>& place = parts.numbers("latLonHeight", {3});
+    camera["position"] = {{"lat", place[0]}, {"lon", place[1]}, {"height", place[2]}};
+  }
+  if (parts.has("heading")) {
+    const std::vector<double>& turns = parts.numbers("heading", {1, 2, 3});
+    camera.erase("rotation");
+    for (std::size_t i = 0; i < turns.size(); ++i) camera[kHeadingTurns[i]] = turns[i];
+    if (!parts.has("latLonHeight")) camera["world"] = "enu";
+  }
   for (const char* field : {"direction", "target"})
     if (parts.has(field) && !parts.has("up"))
       parts.fail(field, "needs up: up=0+1+0 where y is up, up=0+0+1 where z is");
-  if (turn.empty() && parts.has("position") && !camera.contains("direction") && !camera.contains("target") &&
-      !camera.contains("euler"))
-    parts.fail("position", "needs a rotation, direction or target beside it");
+  for (const char* place : {"position", "latLonHeight"})
+    if (turn.empty() && parts.has(place) && !parts.hasAny("direction target euler heading"))
+      parts.fail(place, "needs a rotation, direction, target or heading beside it");
   return !turn.empty() || parts.has("euler");
 }
 

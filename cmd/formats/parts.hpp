@@ -6,9 +6,9 @@
 //   size         width, height
 //   distortion   k1 [k2 [p1 p2 [k3 [k4 k5 k6]]]]; fisheye k1 … k4; omni xi [k1 k2 [p1 p2 [k3]]]; doubleSphere xi alpha;
 //                unified alpha [beta]; fov omega
-//   cameraFromWorld, worldFromCamera 12 or 16, or their .rotation 9, .rotationVector 3, .quaternion x y z w,
-//                .quaternionWFirst, with .translation 3
-//   position, direction, target, up 3; euler 3 degrees; name a text
+//   cameraFromWorld, worldFromCamera 12 or 16, or their .rotation 9 or its first 6, .rotationVector 3,
+//                .quaternion x y z w, .quaternionWFirst, with .translation 3
+//   position, direction, target, up 3; latLonHeight; euler 3 degrees; heading [pitch [roll]] degrees; name a text
 //
 // Of rows of formats alone:
 //

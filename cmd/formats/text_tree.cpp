@@ -190,6 +190,8 @@ class TextReader {
       name.clear();
     };
     constexpr std::string_view kMarks = " \t=:,;[{(<>)}]|";
+    constexpr std::ptrdiff_t kPairs = 3;
+    const bool hasPairs = std::count(text.begin(), text.end(), '=') >= kPairs;
     const bool hasAngles = text.find('>') != std::string_view::npos;  // << alone is no bracket
     for (std::size_t at = 0; at < text.size();) {
       const char c = text[at];
@@ -232,6 +234,9 @@ class TextReader {
       } else {
         if (isAssigned) heading = std::exchange(name, "");
         isAssigned = false;
+        // cam1 fx=1 fy=2 cx=3
+        const bool isFirst = found.empty() && texts.empty() && levels.size() == 1 && levels.back().heading.empty();
+        if (isFirst && hasPairs && at < text.size() && text[at] == '=') levels.back().heading = std::exchange(name, "");
         name.append(name.empty() ? "" : "_").append(stripped(word, "\"'"));
       }
     }

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view kPoseWords =
     "pose poses extrinsic extrinsics transform transformation rotation rot quat quaternion orientation translation "
     "trans rvec tvec rvecs tvecs r t rt c2w w2c cam2world world2cam euler ypr rpy xyz position location center centre "
-    "eye matrix";
+    "eye pos campos matrix";
 /// One number of a pose, beside the numbers of a camera.
 constexpr std::string_view kPoseNumbers =
     "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa pan tilt east north "

@@ -63,6 +63,12 @@ bool areZero(std::span<const double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; });
 }
 
+std::vector<double> withThirdRow(std::vector<double> m) {
+  for (std::size_t i = 0; m.size() < 9 && i < 3 && m.size() >= 6; ++i)
+    m.push_back(m[(i + 1) % 3] * m[3 + (i + 2) % 3] - m[(i + 2) % 3] * m[3 + (i + 1) % 3]);
+  return m;
+}
+
 bool isRotation(const std::vector<double>& m) {
   if (m.size() != 9) return false;
   constexpr double kTolerance = 1e-3;

@@ -23,6 +23,8 @@ bool hasWord(std::string_view name, std::string_view words);
 std::string_view quaternionOrderOf(std::string_view name);
 
 bool areZero(std::span<const double> numbers);
+/// 6 numbers, two rows of a rotation, with the third behind them; others as they are.
+std::vector<double> withThirdRow(std::vector<double> m);
 /// 9 numbers by rows that are a rotation within 1e-3.
 bool isRotation(const std::vector<double>& m);
 /// 12 or 16 numbers by rows whose 3x3 is a rotation, with a last row of 0 0 0 1.

@@ -39,8 +39,8 @@ constexpr std::string_view kBoxes =
     "camera cameras cam cams calibration calib calibrations param params parameters data value values info config "
     "settings sensor sensors model color raw mat camerainfo extrinsic extrinsics intrinsic intrinsics pose poses frame "
     "frames world calibrated perspective cv mode projection transform the of to in from image images img p w h fx fy "
-    "cx "
-    "cy f focal princpt fov width height vec interne externe";
+    "cx cy f focal princpt fov width height vec interne externe mm cm deg degrees rad radians euler angles attitude "
+    "lat lon alt gps axis";
 
 struct ScalarNames {
   std::string_view kind, names;
@@ -51,7 +51,16 @@ constexpr ScalarNames kScalars[] = {
     {"cx", "cx ppx u0 cu pu xc principalpointx cxpx centerx xcenter c0x mx"},
     {"cy", "cy ppy v0 cv pv yc principalpointy cypx centery ycenter c0y my"},
     {"f", "f focal focallength focallengthpx focalpx fpix fpixels focallengthmm focalmm fmm lens lensmm"},
-    {"sensor", "sensorwidth sensorwidthmm horizontalfilmaperture horizontalaperture haperture filmwidth filmwidthmm"},
+    {"lat", "lat latitude gpslat gpslatitude"},
+    {"lon", "lon lng long longitude gpslon gpslongitude"},
+    {"alt", "alt altitude elevation ele gpsalt gpsaltitude heightellipsoid ellipsoidheight ellipsoidalheight"},
+    {"heading", "heading azimuth bearing"},
+    {"pitch", "pitch tilt gimbalpitch camerapitch cameratilt"},
+    {"yaw", "yaw gimbalyaw camerayaw"},
+    {"roll", "roll gimbalroll cameraroll"},
+    {"sensor",
+     "sensor sensorw sensorwidth sensorwidthmm horizontalfilmaperture horizontalaperture haperture filmwidth "
+     "filmwidthmm"},
     {"w",
      "width sensorwidthpixels widthpixels w rwidth imagewidth imgwidth cols wpx renderwidth framewidth nx imagesizex "
      "xresolution resolutionx integerxresolution camerawidth resx sizex"},
@@ -67,8 +76,7 @@ constexpr ScalarNames kScalars[] = {
 /// Those that are called as the kind is.
 constexpr std::string_view kPlainScalars =
     "k2 k3 k4 k5 k6 p1 p2 pz x y z tx ty tz qx qy qz qw r00 r01 r02 r10 r20 r11 r12 r13 r21 r22 r23 r31 r32 r33 rx ry "
-    "rz pitch roll yaw "
-    "heading";
+    "rz omega phi kappa";
 
 std::string_view scalarOf(std::string_view letters) {
   for (const auto& [kind, names] : kScalars)
@@ -76,10 +84,10 @@ std::string_view scalarOf(std::string_view letters) {
   return isAmong(letters, kPlainScalars) ? letters : "";
 }
 
-/// "tx" of tx_m: metres and pixels are what is meant without a unit.
+/// "tx" of tx_m: metres, pixels and degrees are what is meant without a unit.
 std::string_view withoutUnit(std::string_view name) {
-  for (const std::string_view unit : {"_m", "_px"})
-    if (name.size() > unit.size() + 1 && name.ends_with(unit)) return name.substr(0, name.size() - unit.size());
+  for (const std::string_view unit : {"_m", "_px", "_deg", "_degrees"})
+    if (name.size() > unit.size() && name.ends_with(unit)) return name.substr(0, name.size() - unit.size());
   return name;
 }
 
@@ -112,6 +120,9 @@ bool isTaken(const std::vector<double>& m) { return isProjection(m, 10); }
 bool isTurn(const std::vector<double>& v) {
   return areAll(v, [](double x) { return std::fabs(x) < 7; });
 }
+bool areAngles(const std::vector<double>& v) {
+  return areAll(v, [](double x) { return std::fabs(x) <= 360; });
+}
 bool isAny(const std::vector<double>&) { return true; }
 bool isUnit(const std::vector<double>& q) {
   return std::fabs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-3;
@@ -130,6 +141,7 @@ bool isSize(const std::vector<double>& s) {
   return areAll(s, [](double x) { return x == std::floor(x) && x >= 16 && x <= 65535; });
 }
 bool isFocalPair(const std::vector<double>& f) { return f[0] > 5 && f[1] > 5; }
+bool isSensor(const std::vector<double>& s) { return s[0] > 1 && s[0] < 100 && s[1] > 1 && s[1] < 100; }
 bool isCentre(const std::vector<double>& c) { return c[0] > 0 && c[1] > 0; }
 
 /// A kind of part by its numbers and its name. Of those that are whole matrices the first that fits counts.
@@ -153,6 +165,10 @@ constexpr Look kLooks[] = {
     {"P", "12", isTaken, kOfP, 1, Look::numbers, "", "", false, "^T"},
     {"X", "16", isRigid, kOfX, 1, Look::numbers, "", "", true, "^T"},
     {"V", "3", isTurn, kOfV, 0, Look::name, "", "matrix translation trans position"},
+    {"A", "3", areAngles, "euler eulers rpy ypr opk angles rot rotation orientation attitude", 0, Look::name, "",
+     "axis vector rvec"},
+    {"axis", "3", isTurn, "axis"},
+    {"sensor", "2", isSensor, "sensor", 0, Look::name, "", "resolution res pixels pixel px"},
     {"T", "3", isAny, kOfT},
     {"E", "3", isAny, kOfE},
     {"direction", "3", isAny, "direction dir forward lookdir"},

@@ -56,7 +56,7 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
       line.poses = posesFor(*line.first, all);
       if (isFlat) std::erase_if(line.poses, [](const Match& match) { return match.parts.size() > 1; });
       if (line.poses.empty()) putAim(line, *line.first, all);
-      if (isUnreal) putUnreal(line, all);
+      putAngles(line, all, isUnreal);
     }
   }
   sharePoses(lines);

@@ -80,8 +80,8 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all);
 void putPose(LineDraft& line, const Match& match, const Candidate* lens);
 /// A place, and what is looked at from there.
 void putAim(LineDraft& line, const Candidate& first, const Candidates& all);
-/// The place and the turns of a camera in Unreal or CARLA, whose angle of view is that across.
-void putUnreal(LineDraft& line, const Candidates& all);
+/// The place and the angles of a camera without another pose; the angle of view of Unreal and CARLA is that across.
+void putAngles(LineDraft& line, const Candidates& all, bool isUnreal);
 /// One pose beside two lenses of one template is the last one's, or that of B in A_to_B.
 void sharePoses(std::vector<LineDraft>& lines);
 

@@ -14,6 +14,7 @@ namespace viewproj::cmd {
 namespace {
 
 std::optional<std::array<double, 2>> centreOf(const LineDraft& line) {
+  if (line.parts.front().first != "K") return std::nullopt;
   std::vector<double> k;
   for (const Chosen& each : line.used) k.insert(k.end(), each->numbers.begin(), each->numbers.end());
   if (k.size() == 9) return std::array{k[2], k[5]};
@@ -197,7 +198,10 @@ std::vector<LineDraft> lensLines(const Candidates& all, const std::vector<Scalar
       constexpr double kLeastMillimetres = 3;  // less are Maya's inches
       const bool isInches = hasWord(width->path(), "film") && width->numbers.front() < kLeastMillimetres;
       begin("focalLength", {each}, 2);
-      lines.back().add("sensorWidth", sensor->parts, sensor->score, isInches ? "/0.03937007874015748" : "");
+      lines.back().add("sensorWidth", sensor->parts, sensor->score,
+                       isInches                    ? "/0.03937007874015748"
+                       : width->numbers.size() > 1 ? "[0]"
+                                                   : "");
       lines.back().ask.push_back(width->path() + ": " + (isInches ? "inches, and " : "") +
                                  "the width of what the picture shows, also where that is taller than wide?");
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/sea_level.hpp"
 #include "formats/finder/line.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
@@ -25,6 +26,7 @@ constexpr std::string_view
 std::string directionOf(const Candidate& pose, const Candidate* lens) {
   const std::string path = lowered(pose.path());
   if (hasPart(path, kToWorld)) return "worldFromCamera";
+  if (!pose.terms.empty() && hasWord(pose.terms.front()->path(), "axis")) return "cameraFromWorld";
   const auto toward = lens ? towardOf(pose) : std::nullopt;
   const std::vector<std::string> names = lens ? wordsOf(lens->path()) : std::vector<std::string>{};
   if (toward && shares(toward->second, names) != shares(toward->first, names))
@@ -80,6 +82,7 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
 void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
   const Chosen& turn = match.parts.front();
   const Chosen& place = match.parts.back();
+  const bool areAxes = !turn->terms.empty() && hasWord(turn->terms.front()->path(), "axis");
   const bool isOpenCv = place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
   std::string direction = directionOf(*turn, lens);
   const std::string shown = turn->terms.empty() ? turn->path() : turn->terms.front()->path() + " ...";
@@ -105,7 +108,7 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
                                                  : "quaternion";
     if (isList && order.empty()) line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
     line.add(direction + "." + form, {turn}, match.score / 2);
-    line.add(place->kind == "T" ? direction + ".translation" : "position", {place}, match.score / 2);
+    line.add(place->kind == "T" && !areAxes ? direction + ".translation" : "position", {place}, match.score / 2);
   } else {
     line.add(direction, {turn}, match.score);
   }
@@ -125,8 +128,9 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
     line.ask.push_back(shown +
                        ": worldFromCamera likely of axes right, up, back; with right, down, forward it is upside down "
                        "where z is up, and looks away from the origin");
-  } else if (!isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld"))) {
-    line.ask.push_back(shown + ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z");
+  } else if (areAxes || (!isNerf && !isOpenCv && !(isInPixels && (isPair || direction == "cameraFromWorld")))) {
+    line.ask.push_back(shown +
+                       ": axes right, down, forward; --set cameraAxes=RUB if it looks along its -z, FLU along x");
   }
 }
 
@@ -144,19 +148,60 @@ void putAim(LineDraft& line, const Candidate& first, const Candidates& all) {
     }
 }
 
-void putUnreal(LineDraft& line, const Candidates& all) {
-  if (line.first->kind == "fov") {
+void putAngles(LineDraft& line, const Candidates& all, bool isUnreal) {
+  const auto best = [&](std::string_view kind) { return bestOf(*line.first, all, kind); };
+  if (isUnreal && line.first->kind == "fov") {
     line.parts.front().first = "fovX";
     line.ask = {line.first->path() + ": across, as Unreal and CARLA have it"};
   }
-  const auto eye = bestOf(*line.first, all, "E"), turns = bestOf(*line.first, all, "euler");
-  if (!line.poses.empty() || !eye || !turns) return;
-  line.add("position", eye->parts, eye->score);
-  line.add("euler", turns->parts, turns->score);
-  line.ask.push_back(
-      turns->parts.front()->path() +
-      ": taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
-  line.set = {"convention=unreal", "euler.order=unreal"};
+  const auto heading = best("hpr"), pyr = best("pyr"), rpy = best("rpy"), opk = best("opk"), list = best("A");
+  const auto turns = rpy ? rpy : opk ? opk : heading ? heading : list;
+  if (!turns) return;
+  // The place beside the angles.
+  const Candidate& first = *turns->parts.front();
+  const auto earth = bestOf(first, all, "place"), eye = earth ? earth : bestOf(first, all, "E");
+  if (!line.poses.empty() || !line.pose.empty() || !eye) return;
+  const auto put = [&](const std::string& part, const Match& match, const std::string& suffix,
+                       const std::vector<std::string>& set, const std::string& question) {
+    const std::string places = sumOf(eye->parts), angles = sumOf(match.parts) + suffix;
+    const bool isLow = earth && earth->parts.front()->numbers.size() < 3;
+    line.pose = places + ", " + angles;
+    line.add(earth ? "latLonHeight" : "position", eye->parts, eye->score, isLow ? "+0" : "");
+    line.add(part, match.parts, match.score, suffix);
+    line.set.insert(line.set.end(), set.begin(), set.end());
+    line.ask.push_back(angles + ": " + question);
+    if (earth && !isLow && isSeaLevelName(eye->parts.front()->terms.back()->steps.back()))
+      line.ask.push_back(eye->parts.front()->terms.back()->path() +
+                         ": taken as above the ellipsoid; to one above sea level add the geoid's height there");
+    if (isLow) line.ask.push_back(places + ": with a height of 0; write that above the ellipsoid in its place");
+    if (std::all_of(match.parts.front()->numbers.begin(), match.parts.front()->numbers.end(),
+                    [](double angle) { return std::fabs(angle) < 7; }))
+      line.ask.push_back(angles + ": degrees; /0.017453292519943295 behind each path of radians");
+  };
+  if (heading && (earth || !rpy))
+    put("heading", *heading, "", {},
+        "clockwise from north, above the horizon, right side down; /-1 behind an angle that counts the other way");
+  else if (earth)
+    return;
+  else if (isUnreal && pyr)
+    put("euler", *pyr, "", {"convention=unreal", "euler.order=unreal"},
+        "taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
+  else if (opk)
+    put("euler", *opk, "", {"euler.order=opk", "cameraAxes=RUB", "world=enu"},
+        "omega, phi, kappa of photogrammetry, x east, y north, z up");
+  else if (rpy)
+    put("euler", *rpy, "", {"euler.order=rpy", "cameraAxes=FLU"},
+        "taken as ROS's, of a camera that looks along x at zeros, where z is up; cameraAxes=FRD where z is down; "
+        "heading=yaw+pitch+roll for a compass's yaw; convention=unreal and euler.order=unreal for Unreal's");
+  else if (list && hasWord(list->parts.front()->path(), "opk"))
+    put("euler", *list, "", {"euler.order=opk", "cameraAxes=RUB", "world=enu"}, "omega, phi, kappa");
+  else if (list && hasWord(list->parts.front()->path(), "rpy ypr"))
+    put("euler", *list, hasWord(list->parts.front()->path(), "ypr") ? "[2,1,0]" : "",
+        {"euler.order=rpy", "cameraAxes=FLU"},
+        "roll, pitch, yaw of a camera that looks along x at zeros, where z is up; cameraAxes=FRD where z is down");
+  else if (list)
+    put("euler", *list, "", {"euler.order=blender", "cameraAxes=RUB"},
+        "turns about x, y, z as Blender has them; euler.order=unity or godot where y is up");
 }
 
 void sharePoses(std::vector<LineDraft>& lines) {

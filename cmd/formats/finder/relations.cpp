@@ -127,7 +127,7 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     family.steps.back() = "";
     for (const Chosen& term : terms)
       family.numbers.insert(family.numbers.end(), term->numbers.begin(), term->numbers.end());
-    if (family.kind == "R" && !isRotation(family.numbers)) return;
+    if (family.kind == "R" && !isRotation(withThirdRow(family.numbers))) return;
     family.star = terms.front()->star;
     family.at = terms.front()->at;
     family.terms = terms;
@@ -140,20 +140,37 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
     add("T", together(box, {"tx", "ty", "tz"}), 2);
     if (!box.contains("w")) add("E", together(box, {"x", "y", "z"}), 1);  // w: x y z of a quaternion
-    add("euler", together(box, {"pitch", "yaw", "roll"}), 2);
+    add("pyr", together(box, {"pitch", "yaw", "roll"}), 2);
+    add("rpy", together(box, {"roll", "pitch", "yaw"}), 2);
+    add("opk", together(box, {"omega", "phi", "kappa"}), 2);
+    add("A", together(box, {"rx", "ry", "rz"}), 1);
+    for (const std::string_view turn : {"heading", "yaw"})  // on the Earth a yaw is a heading
+      for (const auto& turns :
+           {together(box, {turn, "pitch", "roll"}), together(box, {turn, "pitch"}), together(box, {turn})}) {
+        if (turns.empty()) continue;
+        add("hpr", turns, turn == "heading" ? 2 : 1);
+        break;
+      }
+    add("place", together(box, {"lat", "lon", "alt"}), 2);
+    add("place", together(box, {"lat", "lon"}), 2);
     add("E", together(box, {"gx", "gy", "pz"}), 1);
   }
-  // Rows or columns whose names differ in the last letter: L1, L2, L3.
+  // Rows or columns whose names differ in the last letter: L1, L2, L3; and x_axis, y_axis, of which a third may be
+  // missing.
   std::map<std::vector<std::string>, Scalars> rows;
   for (const Chosen& each : all) {
     std::vector<std::string> steps = each->steps;
-    if (each->numbers.size() != 3 || each->isStarred() || steps.back().empty()) continue;
-    const std::string last(1, steps.back().back());
-    steps.back().pop_back();
-    rows[steps].emplace(last, each);
+    std::string& name = steps.back();
+    const bool isStarOfRow = each->isStarred() && each->at + 1 == steps.size();
+    if (each->numbers.size() != 3 || isStarOfRow || name.empty()) continue;
+    const bool isAxis = isAmong(name.substr(0, 1), "x y z X Y Z") && hasWord(name.substr(1), "axis");
+    const std::size_t at = isAxis ? 0 : name.size() - 1;
+    const std::string letter = name.substr(at, 1);
+    name.erase(at, 1);
+    rows[steps].emplace(letter, each);
   }
   for (const auto& [steps, members] : rows) {
-    if (members.size() != 3) continue;
+    if (members.size() != 3 && !(members.size() == 2 && hasWord(steps.back(), "axis"))) continue;
     std::vector<Chosen> terms;
     for (const auto& [last, each] : members) terms.push_back(each);
     add("R", terms, 2);
