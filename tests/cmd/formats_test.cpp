@@ -597,7 +597,7 @@ TEST_CASE("the finder proposes the line that reads a file") {
   CHECK(mounted.lines.at(0).parts ==
         "K=cams.0.f+cams.0.c, size=cams.0.pixels, "
         "distortion=cams.0.lens.k[0,1]+cams.0.lens.p+cams.0.lens.k[2]");
-  CHECK(mounted.leftOut == std::vector<std::string>{"cams.0.mount.xyz", "cams.0.tilt"});
+  CHECK(mounted.leftOut == std::vector<std::string>{"cams.0.tilt", "cams.0.mount.xyz"});
   const Proposal starred = proposed(
       R"({"a": {"f": [920, 920], "c": [640, 360], "pan": 1}, "b": {"f": [920, 920], "c": [640, 360], "pan": 2}})");
   CHECK(starred.leftOut == std::vector<std::string>{"*.pan"});

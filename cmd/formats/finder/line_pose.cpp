@@ -183,10 +183,11 @@ void putAngles(LineDraft& line, const Candidates& all, bool isUnreal) {
         "clockwise from north, above the horizon, right side down; /-1 behind an angle that counts the other way");
   else if (earth)
     return;
-  else if (isUnreal && pyr)
+  else if (isUnreal && pyr) {
+    line.set.clear();  // the convention counts pixels so
     put("euler", *pyr, "", {"convention=unreal", "euler.order=unreal"},
         "taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
-  else if (opk)
+  } else if (opk)
     put("euler", *opk, "", {"euler.order=opk", "cameraAxes=RUB", "world=enu"},
         "omega, phi, kappa of photogrammetry, x east, y north, z up");
   else if (rpy)
