@@ -191,6 +191,7 @@ std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std:
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
                      inQuotes(*pick) + "; pick one by its number: " + picksOf(found));
   const std::vector<std::size_t> under = chooseAll(pick);
+  if (under.size() == 1) return under.front();
   throw InputError(name_ + ": holds " + std::to_string(under.size()) + " " + import_.noun + "s under " +
                    inQuotes(*pick) + "; pick one: " + picksOf(under) + otherwise);
 }

@@ -40,11 +40,10 @@ bool isSeaLevelName(std::string_view name) {
 }
 
 std::string seaLevelNote(std::string_view name) {
-  return inQuotes(name) + (hasGeoid()
-                               ? " is taken as height above sea level, because of --geoid; those of an RTK receiver "
-                                 "may be above the ellipsoid"
-                               : " is taken as height above the ellipsoid; heights above sea level differ from "
-                                 "it by up to 107 m");
+  return inQuotes(name) + (hasGeoid() ? " is taken as height above sea level, because of --geoid; where it is an RTK "
+                                        "receiver's above the ellipsoid, --set position.height=… says so"
+                                      : " is taken as height above the ellipsoid; heights above sea level differ from "
+                                        "it by up to 107 m");
 }
 
 std::string pathOfColumn(std::string_view column, bool isOnEarth) {

@@ -244,6 +244,8 @@ void put(Json& root, const Patch& patch) {
     } else {
       if (patch.value->is_null() && end == patch.path.size()) return (void)at->erase(step);
       if (patch.value->is_null() && !at->contains(step)) return;
+      if (step == "height") at->erase("altitude");  // the same number above another surface
+      if (step == "altitude") at->erase("height");
       at = &(*at)[step];
     }
   }

@@ -46,8 +46,13 @@ constexpr std::string_view kOthers[][2] = {
 /// What says the lens otherwise than in pixels, by another name than its own.
 constexpr std::string_view kBesidePixels = "f focal focalpx focallengthpx hfov vfov dfov";
 
+/// Columns of Metashape begin so.
+constexpr std::string_view kOfMetashape[] = {"X/", "Y/", "Z/"};
+
 /// "x" of "camera_x" and "camX"; a column that is ours with its front stays whole. "pitch" of "pitch_deg".
 std::string_view bareName(std::string_view column) {
+  for (const std::string_view front : kOfMetashape)
+    if (column.starts_with(front)) return column.substr(front.size());
   for (const std::string_view unit : {"_deg", "_degrees", "_m", "_px"})
     if (column.ends_with(unit)) column.remove_suffix(unit.size());
   for (const std::string_view front : {"camera", "cam"}) {
@@ -120,6 +125,7 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
                                               [&](const auto& name) { return isNamed(name.first, "width w"); });
   const auto isOfBox = [&](std::string_view column) { return hasBox && isNamed(column, "height h"); };
   onEarth_ = anyIs([](std::string_view name) { return pathOfColumn(name, true) == "position.lat"; });
+  isOfMetashape_ = columns.contains("X/Easting") || columns.contains("X/Longitude");
   onMap_ = anyIs([](std::string_view name) { return lettersOf(name) == "easting"; });
   hasNorth_ = hasNorth || onEarth_ || onMap_;
   isRobots_ = !hasNorth_ && anyIs([](std::string_view name) { return sameButForCase(name, "yaw"); });
@@ -140,12 +146,14 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
   }
   for (const auto& [names, ofNames, isClear] : kFamilies) {
     std::vector<std::string_view> found;
-    for (const std::string_view name : wordsIn(names))
+    for (const std::string_view name : wordsIn(names)) {
+      std::string_view named;  // of two the one in pixels is the picture's
       for (const auto& [column, path] : paths_)
-        if (sameButForCase(nameOf(column), name) || lettersOf(nameOf(column)) == name) {
-          found.push_back(column);
-          break;
-        }
+        if ((sameButForCase(nameOf(column), name) || lettersOf(nameOf(column)) == name) &&
+            (named.empty() || (ofNames == kSize && column.ends_with("_px"))))
+          named = column;
+      if (!named.empty()) found.push_back(named);
+    }
     const std::vector<std::string_view> all = wordsIn(ofNames);
     const bool isBare = std::any_of(found.begin(), found.end(), [&](auto column) { return nameOf(column) == column; });
     const bool isOther = (ofNames == kPlace && has("position")) || (isRecord && !isClear && isBare);
@@ -226,6 +234,8 @@ Json CameraColumns::documentOf(const Node& row) const {
     turn = numberOf(cell);
     return true;
   };
+  if (const auto pitch = isOfMetashape_ && !isOpk_ ? cellAt(row, "pitch") : std::nullopt)
+    pitch->fail("is 0 where Metashape's camera looks down; export omega, phi, kappa");
   NamedNumbers coefficients;
   std::string model;
   for (const auto& [column, cell] : row.json().items()) {
@@ -273,7 +283,7 @@ Json CameraColumns::documentOf(const Node& row) const {
   };
   if (const Json f = take(kF); !f.is_null()) fields["projection"].update({{"fx", f}, {"fy", f}});
   if (const Json f = take(kF35); !f.is_null())
-    fields["projection"].update({{"focalLength", f}, {"sensorDiagonal", std::hypot(36, 24)}});
+    fields["projection"]["fovDiagonal"] = f.is_number() ? Json(fovOfEquivalent(f.get<double>())) : f;
   if (onMap_) fields.emplace("world", "enu");
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};

@@ -47,7 +47,7 @@ class CameraColumns {
   std::vector<std::string> notes_;
   bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false,
        isRobots_ = false;  ///< isRobots: yaw is no heading
-  bool hasTranslation_ = false;
+  bool hasTranslation_ = false, isOfMetashape_ = false;
   bool isPerspective_ = false;    ///< only an orthographic camera has a window of a size
   bool isHeightUnclear_ = false;  ///< no other column is the place's
 };

@@ -56,13 +56,31 @@ std::optional<Node> columnOf(const Node& row, std::string_view name) {
   return found;
 }
 
+/// A number as exiftool prints it without -n: 8.8 mm, 548.3 m Below Sea Level, 46 deg 31' 12.46" N.
+std::optional<double> printedNumber(std::string_view text) {
+  const std::vector<std::string_view> words = partsOf(text, " '\"");
+  const auto number = words.empty() ? std::nullopt : parseNumber(words.front());
+  if (!number || words.size() == 1) return number;
+  const bool isNegative = isAmong(words.back(), "S W") || (words.size() > 2 && words[2] == "Below");
+  if (words[1] != "deg")
+    return isAmong(words[1], "mm m") ? std::optional(isNegative ? -*number : *number) : std::nullopt;
+  const auto minutes = words.size() > 2 ? parseNumber(words[2]) : std::nullopt,
+             seconds = words.size() > 3 ? parseNumber(words[3]) : std::nullopt;
+  const double degrees = *number + minutes.value_or(0) / 60 + seconds.value_or(0) / 3600;
+  return isNegative ? -degrees : degrees;
+}
+
 /// A number of a row; nothing where the cell is empty.
 std::optional<double> cellOf(const Node& row, std::string_view name) {
   const auto cell = columnOf(row, name);
   if (!cell) return std::nullopt;
-  const auto number = numbersIn(cell->json());
-  if (!number || number->size() != 1) cell->fail("is no plain number; exiftool writes them with -n");
-  return number->front();
+  const auto numbers = numbersIn(cell->json());
+  const auto number = numbers && numbers->size() == 1 ? std::optional(numbers->front())
+                      : cell->json().is_string()      ? printedNumber(cell->text())
+                                                      : std::nullopt;
+  if (!number) cell->fail("is no plain number; exiftool writes them with -n");
+  cell->mark();
+  return number;
 }
 
 std::string fileOf(const Node& row) {
@@ -82,9 +100,9 @@ double signedOf(const Node& row, double number, const std::string& name) {
 
 /// What would move pixels, and is not known to be in the other numbers.
 void requirePlain(const Node& row) {
-  if (const auto turn = cellOf(row, "Orientation"); turn && *turn != 1)
-    columnOf(row, "Orientation")
-        ->fail("turns the picture when it is shown; expected 1: turn the file, or leave this out");
+  const auto turn = columnOf(row, "Orientation");
+  if (turn && turn->json() != 1 && turn->json() != "1" && turn->json() != "Horizontal (normal)")
+    turn->fail("turns the picture when it is shown; expected 1: turn the file, or leave this out");
   if (const auto zoom = cellOf(row, "DigitalZoomRatio"); zoom && *zoom > 1)
     columnOf(row, "DigitalZoomRatio")->fail("may be in the focal length or not; expected 1, or leave it out");
 }
@@ -128,7 +146,9 @@ Json pictureOf(const Node& row) {
               {"heading", cell((*turn)[0])},
               {"pitch", cell((*turn)[1])},
               {"roll", cellOf(row, (*turn)[2]).value_or(0)}};
-  const auto w = cellOf(row, "ImageWidth"), h = cellOf(row, "ImageHeight");
+  const bool isInExif = !columnOf(row, "ImageWidth");
+  const auto w = cellOf(row, isInExif ? "ExifImageWidth" : "ImageWidth"),
+             h = cellOf(row, isInExif ? "ExifImageHeight" : "ImageHeight");
   if (w && h) camera["viewport"] = {{"width", *w}, {"height", *h}};
   if (const auto dewarp = cellOf(row, "DewarpFlag"); dewarp && *dewarp == 0 && columnOf(row, "DewarpData"))
     columnOf(row, "DewarpData")->fail("is the lens of these pictures, which is not read; dewarp them, or leave it out");
@@ -138,9 +158,8 @@ Json pictureOf(const Node& row) {
     camera["projection"] = {{"type", "intrinsics"}, {"fx", *f}, {"fy", *f}, {"cx", *x}, {"cy", *y}};
     if (w && h) camera["projection"]["pixels"] = {*w, *h};
   } else if (const auto equivalent = cellOf(row, "FocalLengthIn35mmFormat"); equivalent && *equivalent > 0) {
-    // A whole number, 2 % off at 24, that stands for the diagonal of 36 x 24 mm.
-    camera["projection"] = {
-        {"type", "perspective"}, {"focalLength", *equivalent}, {"sensorDiagonal", std::hypot(36, 24)}};
+    // A whole number, 2 % off at 24.
+    camera["projection"] = {{"type", "perspective"}, {"fovDiagonal", fovOfEquivalent(*equivalent)}};
   }
   return camera;
 }
@@ -149,6 +168,12 @@ Import openPictures(const Node& root) {
   Import result;
   const char* const altitude = columnOf(root[0], kAbsolute) ? kAbsolute : "GPSAltitude";
   if (columnOf(root[0], altitude)) result.notes.push_back(seaLevelNote(altitude));
+  const auto absolute = cellOf(root[0], kAbsolute), relative = cellOf(root[0], "RelativeAltitude");
+  if (absolute && relative) {
+    const std::string ground = formatDigits(*absolute - *relative, 9);
+    result.notes.push_back(fileOf(root[0]) + " took off at " + ground + ", AbsoluteAltitude less RelativeAltitude: " +
+                           (hasGeoid() ? "--altitude " : "--height ") + ground + " is the ground there");
+  }
   for (std::size_t i = 0; i < root.size(); ++i)
     result.add(fileOf(root[i]), "", [row = root[i]] { return pictureOf(row); });
   return result;

@@ -40,6 +40,10 @@ Json pinholeCamera(std::span<const double> intrinsics, const PictureSize& size, 
 /// Replaces the pose of a camera.
 void setPose(Json& camera, std::string_view field, Json pose);
 
+/// The angle across the diagonal, in degrees, of a focal length that is told as on film of 36 x 24 mm. No length, as
+/// the sensor that belongs to it is not the camera's.
+double fovOfEquivalent(double focalLength);
+
 /// Sets the lens: its model by the name that other programs give it (empty: OpenCV's own list), and its coefficients in
 /// their order or by name. A pinhole has none. Throws for an unknown model, and for a wrong number of coefficients.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;

@@ -64,7 +64,7 @@ std::vector<Claim> claimsOf(const Node& root, bool all) {
 
 /// "velodyne/" of velodyne/P2: a camera of another world than the file's own. Other slashes belong to names.
 std::string worldOf(std::string_view name) {
-  for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
+  for (const char* world : {"imu/", "body/", "velodyne/", "lidar/", "earth/"})
     if (name.starts_with(world)) return world;
   return "";
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/plain_camera.hpp"
 #include "formats/format.hpp"
 #include "formats/words.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace opensfm {
@@ -37,17 +39,35 @@ Json shotOf(const Node& reconstruction, const Node& shot) {
   return camera;
 }
 
+/// From metres east, north and up of a place to a world of ECEF.
+void moveToEarth(Json& camera, const Node& place) {
+  const Geodetic from{numberOf(place.require("latitude")), numberOf(place.require("longitude")),
+                      numberOf(place.require("altitude"))};
+  if (!isPlace(from)) place.fail("expected a latitude from -90 to 90, a longitude and an altitude");
+  const auto [east, north, up] = localAxes(from);
+  const Vec3 origin = geodeticToEcef(from);
+  Json rows = Json::array();
+  for (const Vec3& axis : {east, north, up}) rows.push_back({axis.x, axis.y, axis.z, -dot(axis, origin)});
+  camera["world"] = "ecef";
+  camera["cameraFromWorld"] = {camera["cameraFromWorld"], rows};
+}
+
 Import open(const Node& root) {
   Import result;
   const std::size_t count = root.json().is_array() ? root.size() : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const Node reconstruction = root.json().is_array() ? root[i] : root;
-    const auto shots = reconstruction.find("shots");
+    const auto shots = reconstruction.find("shots"), place = reconstruction.find("reference_lla");
     if (!shots || !shots->json().is_object()) continue;
-    for (const auto& item : shots->json().items())
-      result.add((count > 1 ? std::to_string(i) + "/" : "") + item.key(), "", [reconstruction, name = item.key()] {
-        return shotOf(reconstruction, reconstruction.require("shots").require(name));
-      });
+    for (const char* world : {"", "earth/"})
+      for (const auto& item : shots->json().items()) {
+        const auto shot = [reconstruction, place, name = item.key(), isOnEarth = *world != 0] {
+          Json camera = shotOf(reconstruction, reconstruction.require("shots").require(name));
+          if (isOnEarth) moveToEarth(camera, *place);
+          return camera;
+        };
+        if (*world == 0 || place) result.add(world + (count > 1 ? std::to_string(i) + "/" : "") + item.key(), "", shot);
+      }
     if (!result.unread && reconstruction.find("reference_lla"))
       result.unread = [](std::size_t) {
         return "reference_lla, from where x, y and z are metres east, north and up (--set world=enu says so)";

@@ -1,5 +1,7 @@
 // What many formats have in common: a K, a 3x4 matrix, numbers that are texts.
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "camera/fields.hpp"
 #include "camera/split_matrix.hpp"
@@ -27,6 +29,11 @@ std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> m) {
   if (m.size() == 16 && (at(3, 0) != 0 || at(3, 1) != 0 || at(3, 2) != 0 || at(3, 3) != 1))
     k.fail("the last row is not 0 0 0 1");
   return {at(0, 0), at(1, 1), at(0, 2), at(1, 2)};
+}
+
+double fovOfEquivalent(double focalLength) {
+  constexpr double kDiagonal = 43.266615305567875;  // of 36 x 24
+  return 2 * std::atan2(kDiagonal / 2, focalLength) * (180 / std::numbers::pi);
 }
 
 Json pinholeCamera(std::span<const double> intrinsics, const PictureSize& size, double pixelCenter) {

@@ -75,9 +75,6 @@ constexpr Refusal kRefusals[] = {
      "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side; give --set "
      "world=enu, x, y and alt to --position, heading and roll to --heading and --roll, and pitch - 90 to --pitch, for "
      "its 0 is straight down"},
-    {"X/Longitude,Y/Latitude", false,
-     "is a reference of Metashape, which is not read: its pitch is 0 straight down; export the cameras as XML, or as "
-     "omega, phi, kappa"},
     {"<sdf ", false,
      "is SDF, which is not read; give --read-as opengl --set cameraAxes=FLU, for its cameras look along x, "
      "horizontal_fov as --fov-x 1.2rad, and the poses of model, link and sensor, in this order, each as "

@@ -440,6 +440,31 @@ Json textTree(std::string_view text, bool* hasHeadings) {
   return sections;
 }
 
+Json tagTree(std::string_view text) {
+  Json pictures = Json::array();
+  bool areTags = text.find("GPS") != std::string_view::npos, hasPlace = false;
+  eachLine(text, [&](std::string_view line) {
+    const std::size_t colon = line.find(':');
+    const bool isFile = line.starts_with("======== ");
+    if (isFile || pictures.empty()) pictures.push_back(Json::object());
+    if (isFile) pictures.back()["SourceFile"] = trimmed(line.substr(line.find(' ')));
+    if (isFile || isBlank(line) || line.starts_with("---- ")) return true;
+    if (colon == std::string_view::npos) return areTags = false;
+    std::string name;
+    for (const char c : line.substr(0, colon))
+      if (isLetter(c) || isDigit(c))
+        name += c;
+      else if (c == ']')
+        name += ':';  // after a group
+    hasPlace = hasPlace || name.ends_with("GPSLatitude");
+    const std::string value(trimmed(line.substr(colon + 1)));
+    const auto number = numberIn(value);
+    pictures.back().emplace(name, number && formatNumber(*number) == value ? Json(*number) : Json(value));
+    return areTags;
+  });
+  return areTags && hasPlace ? pictures : Json();
+}
+
 Json tableTree(std::string_view text) {
   std::vector<std::string_view> lines;
   eachLine(text, [&](std::string_view line) {

@@ -137,6 +137,7 @@ void readText(Document& document, std::string text, bool isInline) {
   }
   if (isInline) return;
   root = tableTree(text);
+  if (root.is_null()) root = tagTree(text);
   if (!root.is_null()) return;
   if (looksLikeYaml(text)) {
     const auto fault = parseYaml(text, kDeepestJson, root);

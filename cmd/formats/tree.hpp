@@ -34,6 +34,9 @@ std::string readWithoutGlb(const std::string& name, std::size_t most);
 /// hasHeadings: set to true where several have no colon, so that the text is no YAML.
 Json textTree(std::string_view text, bool* hasHeadings = nullptr);
 
+/// What exiftool prints of pictures with a place, a tag and its value a line: an array of objects. Null for other text.
+Json tagTree(std::string_view text);
+
 /// A header of four names or more, then lines with as many cells: an array of objects. Null for other text.
 Json tableTree(std::string_view text);
 

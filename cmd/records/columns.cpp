@@ -193,8 +193,8 @@ void ColumnChoice::requireNoNames(const std::string& of) const {
 
 namespace {
 
-/// The field that a pick means. Throws RecordError if the record does not have it.
-std::size_t fieldOf(const Pick& pick, const RecordView& record) {
+/// The field that a pick means, and where in its value. Throws RecordError if the record does not have it.
+std::pair<std::size_t, std::string> fieldOf(const Pick& pick, const RecordView& record) {
   const Schema& schema = *record.schema;
   const bool csv = schema.form == Form::csv, hasNames = !schema.isArray && (!csv || schema.hasHeader);
   const std::string what = csv ? "column" : schema.isArray ? "number" : "field";
@@ -204,9 +204,11 @@ std::size_t fieldOf(const Pick& pick, const RecordView& record) {
   if (number > schema.size)
     throw RecordError(0, "has " + std::to_string(schema.size) + " " + what + (schema.size == 1 ? "" : "s") +
                              "; --columns names number " + std::to_string(number));
-  if (number > 0) return number - 1;
+  if (number > 0) return {number - 1, ""};
   if (!hasNames) throw RecordError(0, "has " + what + "s without names; number them in --columns, as in 1,2,3");
-  if (const auto field = schema.find(pick.name)) return *field;
+  if (const auto field = schema.find(pick.name)) return {*field, ""};
+  for (std::size_t dot = pick.name.find('.'); !csv && dot < pick.name.size(); dot = pick.name.find('.', dot + 1))
+    if (const auto field = schema.find(pick.name.substr(0, dot))) return {*field, pick.name.substr(dot + 1)};
   throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + fieldsNote(schema));
 }
 
@@ -215,11 +217,11 @@ std::size_t fieldOf(const Pick& pick, const RecordView& record) {
 NumberPlan chosenFields(const ColumnChoice& choice, const RecordView& record, bool mayBeAbsent) {
   NumberPlan plan;
   for (const Pick& pick : choice.picks) {
-    const std::size_t field = fieldOf(pick, record);
+    const auto [field, inner] = fieldOf(pick, record);
     for (const NumberField& other : plan.fields)
-      if (other.field == field)
+      if (other.field == field && other.inner == inner)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) + " twice");
-    plan.fields.push_back({field, 1, 1, false, mayBeAbsent});
+    plan.fields.push_back({field, 1, 1, false, mayBeAbsent, inner});
     if (pick.role == coordinates::place.parts[2].name) noteSeaLevel(pick.altitude, plan);
   }
   return plan;

@@ -10,10 +10,10 @@ namespace {
 
 namespace all = coordinates;
 
-constexpr const Coordinate* kAll[] = {&all::position, &all::xyz,    &all::place, &all::direction,
-                                      &all::segment,  &all::sphere, &all::box,   &all::triangle,
-                                      &all::radius,   &all::screen, &all::pixel, &all::xy,
-                                      &all::uv,       &all::pxPy,   &all::depth, &all::viewDistance};
+constexpr const Coordinate* kAll[] = {&all::position, &all::xyz,         &all::place, &all::map,      &all::direction,
+                                      &all::segment,  &all::sphere,      &all::box,   &all::triangle, &all::radius,
+                                      &all::screen,   &all::pixel,       &all::xy,    &all::uv,       &all::pxPy,
+                                      &all::depth,    &all::viewDistance};
 
 bool isAmong(Aliases names, std::string_view field) {
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return sameButForCase(field, name); });

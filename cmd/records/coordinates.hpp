@@ -64,12 +64,15 @@ using enum CoordinateForm;
 inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
     kLatNames[] = {"latitude"},
-    kLonNames[] = {"lng", "longitude"};
+    kLonNames[] = {"lng", "longitude"},
+    kEastNames[] = {"east"},
+    kNorthNames[] = {"north"};
 
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
     kXy[] = {{"x"}, {"y"}},
     kPlace[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kHeightNames}},
+    kMap[] = {{"easting", 1, kEastNames}, {"northing", 1, kNorthNames}, {"height", 1, kHeightNames}},
     kSphere[] = {{"center", 3}, {"radius"}},
     kBox[] = {{"min", 3}, {"max", 3}},
     kRadius[] = {{"radius"}},
@@ -87,8 +90,9 @@ inline constexpr Coordinate
     position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, true, kPositionNames},
     xyz = {"x y z", numbers, 3, 3, "a point of the world, one field or column per number", kindPoint, kXyzw, true},
     place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace, true},
+    map = {"easting northing height", numbers, 3, 3, "a point of a map, as x, y, z", kindPoint, kMap, true},
     direction = {"direction", array, 3, 3, "a direction, shown at its vanishing point; used only if the record has no other point or shape", kindDirection, {}, true};
-inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
+inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &map, &direction};
 
 // Shapes.
 inline constexpr Coordinate

@@ -82,24 +82,42 @@ bool isKey(std::string_view written, std::string_view name) {
   return written.find('\\') == std::string_view::npos ? written == name : unescaped(written) == name;
 }
 
-/// The text of a part within its field's value.
-std::string_view innerValue(const RecordView& record, const NumberField& field) {
-  const std::string_view value = record.values[field.field];
-  if (field.inner.empty() && field.items == 0) return value;
-  std::size_t count = 0;
+/// A member of an object, or an item of an array by its number, from 0.
+std::string_view memberOf(const RecordView& record, const NumberField& field, std::string_view value,
+                          std::string_view name) {
   std::string_view found;
-  if (value.starts_with(field.items > 0 ? '[' : '{')) {
+  const bool isList = value.starts_with('[');
+  std::size_t count = 0;
+  if (isList || value.starts_with('{')) {
     JsonParts parts(value);
-    for (auto item = parts.next(); item; item = parts.next(), ++count) {
-      const bool isIt = field.items > 0 ? count == field.item : isKey(item->key, field.inner);
-      if (isIt && !found.empty()) throw errorAt(record, field, value, "has " + field.inner + " twice");
-      if (isIt) found = item->value;
+    for (auto part = parts.next(); part; part = parts.next(), ++count) {
+      if (isList ? std::to_string(count) != name : !isKey(part->key, name)) continue;
+      if (!found.empty()) throw errorAt(record, field, value, "has " + std::string(name) + " twice");
+      found = part->value;
     }
   }
-  if (field.items > 0 ? count == field.items : !found.empty()) return found;
-  throw errorAt(record, field, value,
-                field.items > 0 ? "expected an array of " + std::to_string(field.items) + " points [x, y, z]"
-                                : "has no " + field.inner);
+  if (found.empty()) throw errorAt(record, field, value, "has no " + std::string(name));
+  return found;
+}
+
+/// The text of a part within its field's value.
+std::string_view innerValue(const RecordView& record, const NumberField& field) {
+  std::string_view value = record.values[field.field], path = field.inner;
+  while (!path.empty()) {
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    value = memberOf(record, field, value, path.substr(0, dot));
+    path.remove_prefix(std::min(dot + 1, path.size()));
+  }
+  if (field.items == 0) return value;
+  std::size_t count = 0;
+  std::string_view found;
+  if (value.starts_with('[')) {
+    JsonParts parts(value);
+    for (auto item = parts.next(); item; item = parts.next(), ++count)
+      if (count == field.item) found = item->value;
+  }
+  if (count == field.items) return found;
+  throw errorAt(record, field, value, "expected an array of " + std::to_string(field.items) + " points [x, y, z]");
 }
 
 std::string expectedArray(const NumberField& field) {

@@ -27,7 +27,7 @@ struct NumberField {
   std::size_t fewest = 1, most = 1;   ///< how many numbers
   bool isArray = false;               ///< false: the field is the number itself
   bool mayBeAbsent = false;           ///< null, an empty CSV cell, or NaN in text and binary means no value
-  std::string inner = {};             ///< JSON: the key in the field's object; empty: the value itself
+  std::string inner = {};             ///< JSON: where in the field's value, as in position.x; empty: the value itself
   std::size_t item = 0, items = 0;    ///< JSON: this item of an array with this many items; 0: the value itself
   PointForm point = PointForm::none;  ///< JSON: for an array that may also be an object
 };

@@ -46,7 +46,7 @@ std::optional<NumberPlan> findEach(const RecordView& record, std::span<const Coo
   for (const auto& [field, also] : matches) {
     if (!field) break;
     if (also) throw hasBoth(record.offset(*also), inQuotes(names[*field]), inQuotes(names[*also]), true);
-    noteSeaLevel(names[*field], plan);
+    if (parts.data() != std::data(coordinates::kMap)) noteSeaLevel(names[*field], plan);  // in a map's own heights
     plan.fields.push_back({*field, 1, 1, false, orNull});
   }
   return plan;
@@ -210,7 +210,9 @@ std::optional<Found> findOne(const RecordView& record, const PointReading& readi
   std::vector<Found> all;
   for (const auto& rows : {std::span<const Coordinate* const>(coordinates::kPoints), {coordinates::kShapes}})
     for (const Coordinate* row : rows)
-      if (row != &coordinates::direction) {
+      // Beside x, y, z, on the Earth and beside a camera's columns, those of a map are something else.
+      if (row != &coordinates::direction &&
+          !(row == &coordinates::map && (reading.worldIsEcef || reading.besideCamera))) {
         Coordinate read = *row;
         read.isNameFirst = !reading.besideCamera;
         if (auto plan = find(read, record, conditions)) all.push_back({row, std::move(*plan)});
@@ -219,6 +221,7 @@ std::optional<Found> findOne(const RecordView& record, const PointReading& readi
     all.push_back({&coordinates::segment, std::move(*plan)});
   if (!reading.worldIsEcef && all.size() > 1)
     std::erase_if(all, [](const Found& found) { return found.row == &coordinates::place; });
+  if (all.size() > 1) std::erase_if(all, [](const Found& found) { return found.row == &coordinates::map; });
   if (all.size() > 1)
     throw hasBoth(0, namesIn(all[0].plan, *record.schema), namesIn(all[1].plan, *record.schema),
                   isPoint(all[1].plan) || record.schema->form == Form::csv);

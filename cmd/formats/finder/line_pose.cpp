@@ -20,7 +20,7 @@ constexpr std::string_view
         "extrinsic w2c world2cam world_to_cam worldtocam cam_from_world camera_from_world camerafromworld viewmatrix "
         "view_matrix t_cw t_cam_imu t_cam_body t_cam_world t_cam_lidar t_cam_velo lidar_to_cam lidar2cam "
         "velo_to_cam velo2cam _to_cam cam_from_rig",
-    kOfNerf = "transform_matrix matrix_world camera_to_world";
+    kRadians = "/0.017453292519943295", kOfNerf = "transform_matrix matrix_world camera_to_world";
 
 /// Which way a pose goes, by its name; or empty.
 std::string directionOf(const Candidate& pose, const Candidate* lens) {
@@ -163,20 +163,26 @@ void putAngles(LineDraft& line, const Candidates& all, bool isUnreal) {
   if (!line.poses.empty() || !line.pose.empty() || !eye) return;
   const auto put = [&](const std::string& part, const Match& match, const std::string& suffix,
                        const std::vector<std::string>& set, const std::string& question) {
-    const std::string places = sumOf(eye->parts), angles = sumOf(match.parts) + suffix;
+    const bool areRadians = line.parts.front().second.ends_with(kRadians);  // as the angle of view
+    const std::string places = sumOf(eye->parts), unit(areRadians ? kRadians : "");
+    std::string angles;
+    const Candidate& listed = *match.parts.front();
+    for (const Chosen& each : listed.terms) angles += (angles.empty() ? "" : "+") + each->path() + unit;
+    if (listed.terms.empty()) angles = listed.path() + suffix + unit;
     const bool isLow = earth && earth->parts.front()->numbers.size() < 3;
     line.pose = places + ", " + angles;
     line.add(earth ? "latLonHeight" : "position", eye->parts, eye->score, isLow ? "+0" : "");
-    line.add(part, match.parts, match.score, suffix);
+    line.add(part, match.parts, match.score);
+    line.parts.back().second = angles;
     line.set.insert(line.set.end(), set.begin(), set.end());
     line.ask.push_back(angles + ": " + question);
     if (earth && !isLow && isSeaLevelName(eye->parts.front()->terms.back()->steps.back()))
       line.ask.push_back(eye->parts.front()->terms.back()->path() +
                          ": taken as above the ellipsoid; to one above sea level add the geoid's height there");
     if (isLow) line.ask.push_back(places + ": with a height of 0; write that above the ellipsoid in its place");
-    if (std::all_of(match.parts.front()->numbers.begin(), match.parts.front()->numbers.end(),
-                    [](double angle) { return std::fabs(angle) < 7; }))
-      line.ask.push_back(angles + ": degrees; /0.017453292519943295 behind each path of radians");
+    if (!areRadians &&
+        std::all_of(listed.numbers.begin(), listed.numbers.end(), [](double angle) { return std::fabs(angle) < 7; }))
+      line.ask.push_back(angles + ": degrees; " + std::string(kRadians) + " behind each path of radians");
   };
   if (heading && (earth || !rpy))
     put("heading", *heading, "", {},

@@ -152,6 +152,7 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
         break;
       }
     add("place", together(box, {"lat", "lon", "alt"}), 2);
+    if (!box.contains("w")) add("place", together(box, {"lat", "lon", "h"}), 2);
     add("place", together(box, {"lat", "lon"}), 2);
     add("E", together(box, {"gx", "gy", "pz"}), 1);
   }
