@@ -56,6 +56,7 @@ bool hasShape(const Json& value, std::string_view shape) {
   if (shape == "list") return value.is_array();
   if (shape == "object") return value.is_object();
   if (shape == "alone") return value.is_object() && value.size() == 1;
+  if (shape == "two") return value.is_object() && value.size() == 2;
   if (shape == "few") return value.is_object() && value.size() <= 3;
   if (shape == "text") return value.is_string();
   if (shape == "PN")
@@ -65,6 +66,7 @@ bool hasShape(const Json& value, std::string_view shape) {
   if (shape == "QN") return areRows(value, isTimedPose);
   const auto numbers = numbersIn(value);
   if (!numbers || numbers->empty()) return false;
+  if (shape == "xyzw") return contentOf(value).is_object() && numbers->size() == 4;
   const std::vector<std::size_t> dimensions = shapeOf(value);
   if (shape == "P") return isProjection(*numbers, kLeastPixels) && !(numbers->size() == 16 && isIntrinsic(*numbers));
   if (shape == "K") return isIntrinsic(*numbers);

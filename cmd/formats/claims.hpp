@@ -3,7 +3,7 @@
 //   condition = [ "!" ] choice { "|" choice }      "!": none of the choices holds
 //   choice    = path [ "=" text ] [ ":" shape { "/" shape } ]
 //   shape     = 9 (numbers) | 3x3 | Nx17 (rows of) | L26 (one row of) | list | object | alone (an object of one member)
-//             | few (of three at most) | text
+//             | two (an object of two members) | few (of three at most) | xyzw (four numbers by name) | text
 //             | K (numbers of one), K3, K4 (of 3 or 4 rows) | F8 (one row that begins with two focal lengths)
 //             | P (a matrix K [R | t]) | M (a pose of 3 or 4 rows) | Q (a time, a place and a unit quaternion)
 //             | PN, MN, QN (several)

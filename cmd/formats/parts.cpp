@@ -216,13 +216,14 @@ Json rigidOf(const Parts& parts, const std::string& pose, const std::string& tur
     rigid["rotationVector"] = parts.numbers(turn, {3});
   } else {
     std::vector<double> q = parts.numbers(turn, {4});
-    // A name states the order of a list as it stands in the file.
+    // A name states the order of a list as it stands in the file, and names that of an object.
     const Node& first = parts.node(turn);
-    const bool isWhole = parts[turn].nodes.size() == 1 && !first.json().is_object() && numbersIn(first.json()) == q;
-    const std::string_view order = isWhole ? quaternionOrderOf(first.path()) : "";
+    const bool isWhole = parts[turn].nodes.size() == 1 && numbersIn(first.json()) == q;
+    const bool isNamed = isWhole && contentOf(first.json()).is_object();
+    const std::string_view order = isWhole && !isNamed ? quaternionOrderOf(first.path()) : "";
     const bool isWFirst = turn.ends_with("WFirst");
     if (isWFirst && order == "xyzw") parts.fail(turn, "is called x, y, z, w; say " + pose + ".quaternion");
-    if (isWFirst || order == "wxyz") std::rotate(q.begin(), q.begin() + 1, q.end());
+    if ((isWFirst && !isNamed) || order == "wxyz") std::rotate(q.begin(), q.begin() + 1, q.end());
     rigid["rotation"] = q;
   }
   return rigid;
@@ -355,7 +356,7 @@ struct PartsLine {
   /// The camera of a star, called so unless the line has its name; what the line reads of it is marked. Nothing if its
   /// P is zeros, which stand for a camera that is absent.
   std::optional<CameraEntry> entry(const std::string& star, const std::string& name) const {
-    CameraEntry camera{name, ""};
+    CameraEntry camera{name, name == star ? "" : star};
     for (const Part& part : parts) {
       std::optional<Found> value;
       try {

@@ -62,17 +62,24 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
     *file = readTree(name, field == "worldFromCamera" ? "--world-from-camera" : "--camera-from-world",
                      {.mayBeFaulty = true});
     file->marks = std::make_shared<std::unordered_set<const void*>>();
-    if (file->fault.empty()) read = posesOf(Node(*file));
+    const bool isOfLine = isOwn && opening.parts && (!pick || pick == opening.pick);
+    if (const auto pose = pick && !isOfLine && file->fault.empty() ? poseAt(*file, *pick) : std::nullopt)
+      return factorOf(*pose, field);
+    if (file->fault.empty() && !isOfLine) read = posesOf(Node(*file));
     isOfCamera = read.poses.cameras.empty();
     if (isOfCamera) {
-      Import cameras = importFile(file, {.option = opening.option, .pick = isOwn && !pick ? opening.pick : pick}, "");
+      Import cameras = importFile(file,
+                                  {.option = opening.option,
+                                   .pick = isOwn && !pick ? opening.pick : pick,
+                                   .parts = isOfLine ? opening.parts : std::nullopt},
+                                  "");
       const std::string stated = cameras.hasTranslation ? "worldFromCamera" : field;
       read = {std::move(cameras), stated, true};
     }
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = writtenPose(unknown.text)) return factorOf(*pose, field);
     if (const auto pose = file->root ? jointPose(*file, pick) : std::nullopt) return factorOf(*pose, field);
-    const std::vector<Json> printed = printedPoses(unknown.text);
+    const auto printed = printedPoses(unknown.text);
     const auto named = printed.empty() && file->root ? namedPose(*file, field) : std::nullopt;
     if (printed.empty() && !named && isInlineJson(name)) throw;
     if (printed.empty() && !named)
@@ -85,7 +92,8 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
     isOfCamera = false;
     read = named.value_or(PosesOfFile{{}, field, false});
     read.poses.noun = "pose";
-    for (const Json& pose : printed) read.poses.add("", "", [pose, field] { return Json{{field, pose}}; });
+    for (const auto& [called, pose] : printed)
+      read.poses.add(called, "", [pose = pose, field] { return Json{{field, pose}}; });
   }
   if (read.isDirected && read.field != field)
     throw InputError(file->name + ": holds " + read.field +
@@ -152,6 +160,16 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t whi
 }
 
 }  // namespace
+
+Json poseOf(const std::string& source) {
+  const Opening opening{.option = "--model", .direction = "worldFromCamera"};
+  const PoseFactor factor = factorOf(source, opening, "");
+  if (factor.cameras.size() > 1)
+    throw InputError(factor.file->name + ": holds " + std::to_string(factor.cameras.size()) +
+                     " poses; pick one with FILE#NAME");
+  const Json pose = factor.cameras.front().document();
+  return factor.isOfCamera ? poseIn(pose, *factor.file, pose, false, factor.field) : pose[factor.field];
+}
 
 Import atPoses(Import result, const Opening& opening, std::string& name) {
   const auto factors = std::make_shared<std::vector<PoseFactor>>();

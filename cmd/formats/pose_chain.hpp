@@ -11,6 +11,9 @@ namespace viewproj::cmd {
 /// file; several poses set it to their own.
 Import atPoses(Import cameras, const Opening& opening, std::string& name);
 
+/// The one pose that a file or a text gives, as a field's value: what takes its coordinates to the world.
+Json poseOf(const std::string& source);
+
 /// Whether a camera's document has another pose than that of a file which gives none.
 bool hasPose(const Json& camera);
 

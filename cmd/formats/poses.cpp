@@ -1,5 +1,6 @@
 // Sources: KITTI odometry (12 numbers a line), TUM RGB-D (time, place, quaternion), EuRoC's ground truth, ScanNet and
-// 7-Scenes (4 lines of 4), PandaSet (position, heading), OpenCV's solvePnP.
+// 7-Scenes (4 lines of 4), PandaSet (position, heading), nuScenes (token, and quaternions w first), OpenCV's solvePnP.
+// Four numbers without names are x, y, z, w in our own form alone: a turn and a place, and no other member.
 #include "formats/poses.hpp"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include "formats/finder/finder.hpp"
 #include "formats/format.hpp"
 #include "formats/parts.hpp"
+#include "formats/value.hpp"
+#include "formats/words.hpp"
 #include "formats/writer.hpp"
 #include "text/number.hpp"
 #include "text/pasted_matrices.hpp"
@@ -31,16 +34,24 @@ constexpr Form kForms[] = {
     {":list *.time~ *.tx|*.x|*.p_RS_R_x~ *.qw|*.q_RS_w~",
      "name=*.time~, worldFromCamera.translation=*.tx|*.x|*.p_RS_R_x~+*.ty|*.y|*.p_RS_R_y~+*.tz|*.z|*.p_RS_R_z~, "
      "worldFromCamera.quaternion=*.qx|*.q_RS_x~+*.qy|*.q_RS_y~+*.qz|*.q_RS_z~+*.qw|*.q_RS_w~"},
-    {":list *:few *.position:3 *.heading:4|*.rotation:4|*.orientation:4",
+    {":list *:few *.position:3 *.heading:xyzw|*.rotation:xyzw|*.orientation:xyzw",
      "worldFromCamera.translation=*.position, worldFromCamera.quaternion=*.heading|*.rotation|*.orientation", "",
      false},
+    {":list *.token *.rotation:4 *.translation:3 !*.camera_intrinsic:9",
+     "name=*.token, worldFromCamera.translation=*.translation, worldFromCamera.quaternionWFirst=*.rotation"},
+    {":list *:two *.rotation:4 *.translation:3|*.position:3",
+     "worldFromCamera.translation=*.translation|*.position, worldFromCamera.quaternion=*.rotation", "", false},
     {":list :M", "worldFromCamera=.", "", false},
     {":MN", "worldFromCamera=*", "", false},
     {":QN", "name=*[0], worldFromCamera.translation=*[1:4], worldFromCamera.quaternion=*[4:8]"},
     {":list :Q", "name=.[0], worldFromCamera.translation=.[1:4], worldFromCamera.quaternion=.[4:8]"},
-    {"rotation:4|orientation:4|quaternion:4 translation:3|position:3",
+    {"rotation:xyzw|orientation:xyzw|quaternion:xyzw translation:3|position:3",
      "worldFromCamera.quaternion=rotation|orientation|quaternion, worldFromCamera.translation=translation|position", "",
      false, false},
+    {"token rotation:4 translation:3 !camera_intrinsic:9",
+     "name=token, worldFromCamera.quaternionWFirst=rotation, worldFromCamera.translation=translation"},
+    {":two rotation:4 translation:3|position:3",
+     "worldFromCamera.quaternion=rotation, worldFromCamera.translation=translation|position", "", false, false},
     {"rotation:3x3 translation:3", "worldFromCamera.rotation=rotation, worldFromCamera.translation=translation", "",
      false, false},
     {"rotationVector:3 translation:3",
@@ -91,8 +102,13 @@ PosesOfFile posesOf(const Node& root) {
 
 std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field) {
   const std::vector<ProposedLine> lines = proposeParts(file).lines;
-  if (lines.size() != 1 || lines.front().hasLens || lines.front().parts.find(".quaternion=") == std::string::npos)
+  if (lines.size() != 1 || lines.front().hasLens || lines.front().parts.find(".quaternion") == std::string::npos)
     return std::nullopt;
+  if (const std::string& turn = lines.front().turnOfNoOrder; !turn.empty()) {
+    const std::string name = turn.substr(turn.rfind('.') + 1);
+    throw InputError(file.name + ": " + turn + ": x y z w, or w first? call it " + name + "_xyzw or " + name +
+                     "_wxyz in the file, or give 'X,Y,Z quat:X,Y,Z,W'");
+  }
   for (const auto& [again, value] : file.root->items()) {
     const std::string name = again.substr(0, again.size() - 1);
     if (file.isPlainText && again.ends_with('#') &&
@@ -133,14 +149,27 @@ std::optional<Json> poseIn(const PastedMatrix& m) {
 
 }  // namespace
 
-std::vector<Json> printedPoses(std::string_view text) {
-  std::vector<Json> poses;
+std::vector<std::pair<std::string, Json>> printedPoses(std::string_view text) {
+  std::vector<std::pair<std::string, Json>> poses;
   for (const PastedMatrix& matrix : findMatrices(text).matrices) {
     const auto pose = poseIn(matrix);
     if (!pose) return {};
-    poses.push_back(*pose);
+    poses.emplace_back(matrix.name, *pose);
   }
   return poses;
+}
+
+std::optional<Json> poseAt(const Document& file, const std::string& path) {
+  std::optional<Json> pose;
+  for (const std::string& each : pathsOfNumbers(*file.root)) {
+    if (each != path && !each.ends_with("." + path)) continue;
+    const auto node = valueAt(Node(file), each);
+    const auto numbers = node ? numbersIn(node->json()) : std::nullopt;
+    if (!numbers || !isRigid(*numbers)) continue;
+    if (pose) return std::nullopt;
+    pose = rowsOf(*numbers, 4);
+  }
+  return pose;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "camera/camera_set.hpp"
@@ -20,9 +21,11 @@ struct PosesOfFile {
 bool holdsPoses(const Node& root);
 /// The poses of a file, which may hold more.
 PosesOfFile posesOf(const Node& root);
-/// The rows of the poses that a text has, as a program prints them; of the two layouts the one whose last row is 0 0 0
-/// 1. None where one of its matrices is no pose.
-std::vector<Json> printedPoses(std::string_view text);
+/// The rows of the poses that a text has, and their names, as a program prints them; of the two layouts the one whose
+/// last row is 0 0 0 1. None where one of its matrices is no pose.
+std::vector<std::pair<std::string, Json>> printedPoses(std::string_view text);
+/// The rows of the only rigid matrix that the file has at this path, or under its last name.
+std::optional<Json> poseAt(const Document& file, const std::string& path);
 /// The poses of a file of no form, where it names one quaternion and one place: in the direction of its names, or in
 /// this one.
 std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field);

@@ -382,8 +382,11 @@ bool eachStar(const Node& root, std::string_view path, const std::function<bool(
       for (std::size_t i = 0; goesOn && i < value.size(); ++i) tryOut(std::to_string(i), value[i]);
     if (!value.is_object()) return any;
     const std::string_view before = name.substr(0, at), after = name.substr(at + 1);
+    if (value.empty()) return any;
+    const bool areNamed = !value.get_ref<const Json::object_t&>().rbegin()->first.starts_with('#');
     for (const auto& [key, member] : value.items()) {
       if (!goesOn) break;
+      if (areNamed && name == "*" && key.starts_with('#')) continue;
       const bool isLonger = key.size() > before.size() + after.size() || name == "*";
       if (isLonger && key.starts_with(before) && std::string_view(key).ends_with(after))
         tryOut(std::string_view(key).substr(before.size(), key.size() - before.size() - after.size()), member);

@@ -5,7 +5,8 @@
 //   term  = path { "|" path } [ "?" ]   the first that is there; ? may be absent
 //   path  = member { "." member } { "^T" | "/" number | "[" index or slice { "," … } "]" }, or a number
 //
-// A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star. In rows of
+// A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star, which passes
+// over blocks without a name, #1, beside others. In rows of
 // formats "%" is a star of digits, "name~" the first name that begins so, and a last member "#" the coefficients of a
 // lens by their names. Empty lists are absent, and so are texts that a star alone stands for.
 #pragma once

@@ -56,7 +56,7 @@ std::string_view quaternionOrderOf(std::string_view name) {
   const std::string letters = lettersOf(name);
   for (const std::string_view order : {"wxyz", "xyzw"})
     if (letters.find(order) != std::string::npos) return order;
-  return "";
+  return letters.ends_with("rotationinquaternion") ? "xyzw" : "";  // of ROS, as tf2_echo prints it
 }
 
 bool areZero(std::span<const double> numbers) {

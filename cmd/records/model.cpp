@@ -4,10 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera_set.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_camera.hpp"
 #include "camera/rigid.hpp"
 #include "camera/values.hpp"
+#include "formats/pose_chain.hpp"
 #include "numbers/dyadic.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -39,10 +41,19 @@ std::optional<Json> rowsOf(const std::string& text) {
   return rows;
 }
 
+Mat4 matrixOf(const std::string& source, const Json& pose) {
+  const Document document{source, std::make_shared<Json>(pose)};
+  return matrixOf(rigidOf(readRigid(Node(document))));
+}
+
+/// What no model is may be a pose, with #NAME behind the file or without.
 Document loadModel(const std::string& source) {
   if (isInlineJson(source)) return load(source, "--model");
+  const auto ofPose = [&] { return Document{source, std::make_shared<Json>(matrixOf(source, poseOf(source)).m)}; };
+  if (splitPick(source).pick) return ofPose();
   std::string text = readWholeFile(source, kMostDocumentBytes);
   if (auto rows = rowsOf(text)) return {shownName(source), std::make_shared<Json>(*std::move(rows))};
+  if (source != "-" && text.find_first_of("{[") != text.find_first_not_of(" \t\r\n")) return ofPose();
   return parseDocument(shownName(source), std::move(text));
 }
 
@@ -132,8 +143,7 @@ std::optional<Mat4> modelOfText(const std::string& source) {
   const std::size_t at = source.find(" scale:");
   const auto pose = poseOfText(source.substr(0, at));
   if (!pose) return std::nullopt;
-  const Document typed{"--model " + source, std::make_shared<Json>(*pose)};
-  Mat4 m = matrixOf(rigidOf(readRigid(Node(typed))));
+  Mat4 m = matrixOf("--model " + source, *pose);
   if (at == std::string::npos) return m;
   auto scale = parseNumberList(source.substr(at + 7));
   if (scale && scale->size() == 1) scale->resize(3, scale->front());

@@ -236,6 +236,7 @@ class Finder {
   void look(std::string_view key, const Json& value, const std::vector<std::string>& steps) {
     const auto numbers = value.is_boolean() || value.is_null() ? std::nullopt : partsOf(value);
     constexpr std::size_t kMost = 17;
+    if (numbers && numbers->size() == 21) return addCamera(*numbers, steps);
     if (!numbers || numbers->empty() || numbers->size() > kMost) return;
     const std::vector<double>& n = *numbers;
     if (!areAll(n, [](double number) { return std::isfinite(number); })) return;
@@ -276,6 +277,15 @@ class Finder {
       add("?", steps, n, 0);
   }
 
+  /// K, R and t, one after the other.
+  void addCamera(const std::vector<double>& n, const std::vector<std::string>& steps) {
+    const std::vector<double> k(n.begin(), n.begin() + 9), r(n.begin() + 9, n.begin() + 18);
+    if (!isK(k) || !isRotation(r)) return;
+    add("K", steps, k, 2, "[0:9]");
+    add("R", steps, r, 2, "[9:18]");
+    add("T", steps, {n.begin() + 18, n.end()}, 2, "[18:21]");
+  }
+
   /// The name that says what a value is: of an item of a list the list's, of "coefficients" the one above.
   static std::string keyOf(const std::vector<std::string>& steps) {
     if (steps.empty()) return "#1";
@@ -292,7 +302,10 @@ class Finder {
     if (steps.size() > kDeepest || found_.size() > kMostCandidates) return;
     const std::size_t before = found_.size();
     if (!steps.empty()) look(keyOf(steps), value, steps);
-    sizes_[joinedSteps(steps)] = value.is_structured() ? value.size() : 0;
+    std::size_t size = value.is_structured() ? value.size() : 0, blocks = 0;  // without a name
+    if (value.is_object())
+      for (const auto& [key, member] : value.items()) blocks += key.starts_with('#') ? 1 : 0;
+    sizes_[joinedSteps(steps)] = blocks < size ? size - blocks : size;
     const bool isPart = value.is_array() && found_.size() > before;
     if (isPart || (value.is_array() && !value.empty() && value.front().is_number())) return;
     std::size_t items = 0;

@@ -18,7 +18,7 @@ struct Candidate {
   std::vector<std::string> steps;  ///< of the path
   std::vector<double> numbers;
   double name = 0;     ///< how well the name fits
-  std::string suffix;  ///< "^T"
+  std::string suffix;  ///< "^T", or "[0:9]"
   /// Of several of a kind whose paths differ in one step, or a part of it, at that step: by the text that differs.
   std::map<std::string, std::shared_ptr<const Candidate>> star{};
   std::size_t at = 0;

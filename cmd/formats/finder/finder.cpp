@@ -200,7 +200,7 @@ Proposal proposeParts(const Document& file) {
   std::set<std::string> used;
   for (const LineDraft& line : lines) {
     proposal.lines.push_back({"", line.set, line.ask, std::max<std::size_t>(1, line.first->star.size()),
-                              !isPoseKind(line.first->kind), line.pose, line.isEitherWay});
+                              !isPoseKind(line.first->kind), line.pose, line.isEitherWay, line.turnOfNoOrder});
     std::string& parts = proposal.lines.back().parts;
     for (const auto& [name, path] : line.parts) parts += (parts.empty() ? "" : ", ") + name + "=" + path;
     for (const Chosen& each : line.used) addUsed(*each, used);

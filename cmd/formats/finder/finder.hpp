@@ -15,8 +15,9 @@ struct ProposedLine {
   std::vector<std::string> decide;  ///< what a person has to decide
   std::size_t cameras = 1;
   bool hasLens = true;
-  std::string pose;          ///< the paths of its pose, separated by commas
-  bool isEitherWay = false;  ///< its worldFromCamera may be cameraFromWorld
+  std::string pose;                ///< the paths of its pose, separated by commas
+  bool isEitherWay = false;        ///< its worldFromCamera may be cameraFromWorld
+  std::string turnOfNoOrder = {};  ///< the quaternion of which no name tells whether w is first; or empty
 };
 
 /// The line of the other direction.

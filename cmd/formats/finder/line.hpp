@@ -60,6 +60,7 @@ struct LineDraft {
   std::string pose{};              ///< the paths of its pose
   bool isOfPair = false;           ///< its pose stands beside several lenses
   bool isEitherWay = false;        ///< its worldFromCamera may be cameraFromWorld
+  std::string turnOfNoOrder = {};  ///< see ProposedLine
 
   void add(const std::string& name, const std::vector<Chosen>& chosen, double value, const std::string& suffix = "") {
     parts.emplace_back(name, sumOf(chosen) + suffix);

@@ -83,7 +83,9 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
   const Chosen& turn = match.parts.front();
   const Chosen& place = match.parts.back();
   const bool areAxes = !turn->terms.empty() && hasWord(turn->terms.front()->path(), "axis");
-  const bool isOpenCv = place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
+  const bool isOpenCv =
+      place->kind == "T" &&
+      (turn->kind == "V" || (turn->kind == "R" && (hasWord(turn->path(), "r") || turn->suffix.starts_with('['))));
   std::string direction = directionOf(*turn, lens);
   const std::string shown = turn->terms.empty() ? turn->path() : turn->terms.front()->path() + " ...";
   const bool isNerf = hasPart(lowered(turn->path()), kOfNerf);
@@ -106,7 +108,10 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
                              : turn->kind == "V" ? "rotationVector"
                              : isWFirst          ? "quaternionWFirst"
                                                  : "quaternion";
-    if (isList && order.empty()) line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
+    if (isList && order.empty()) {
+      line.turnOfNoOrder = turn->path();
+      line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
+    }
     line.add(direction + "." + form, {turn}, match.score / 2);
     line.add(place->kind == "T" && !areAxes ? direction + ".translation" : "position", {place}, match.score / 2);
   } else {
