@@ -66,6 +66,45 @@ Import optionsAlone(const CameraPatches& patches) {
   });
 }
 
+/// "a.yml and b.yml".
+std::string namesOf(const std::vector<CameraSet::Picked>& files) {
+  std::vector<std::string_view> names;
+  for (const CameraSet::Picked& file : files) names.push_back(file.cameras->name());
+  return together(names);
+}
+
+Import joinedOf(const std::vector<CameraSet::Picked>& files) {
+  Import all;
+  std::unordered_map<std::string, std::vector<Json>> known;  // by name
+  std::vector<bool> areOnly;
+  for (const auto& [cameras, which] : files)
+    for (const std::size_t i : which) {
+      const bool isOnly = which.size() == 1;
+      std::string name = cameras->nameOf(i);
+      Json document;
+      try {
+        const Document read = cameras->document(i);
+        name = cameras->nameOf(i, read);
+        document = *read.root;
+      } catch (const InputError&) {  // is told when the camera is asked for
+      }
+      // Files that belong together, as those of a stereo calibration, have the same cameras.
+      std::vector<Json>& others = known[name];
+      if (!isOnly && !name.empty() && std::find(others.begin(), others.end(), document) != others.end()) continue;
+      others.push_back(std::move(document));
+      areOnly.push_back(isOnly);
+      all.add(std::move(name), "", nullptr);
+      all.cameras.back().isOfAnother = cameras->isOfAnother(i);
+      all.cameras.back().set = cameras;
+      all.cameras.back().which = i;
+    }
+  for (std::size_t i = 0; i < areOnly.size(); ++i)
+    if (CameraEntry& camera = all.cameras[i]; areOnly[i] && (camera.name.empty() || known[camera.name].size() > 1))
+      camera.name = pathOf(camera.set->name()).stem().string();
+  all.unread = [cameras = all.cameras](std::size_t i) { return cameras[i].set->unreadOf(cameras[i].which); };
+  return all;
+}
+
 bool isWhole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
 
 }  // namespace
@@ -118,13 +157,19 @@ void readAs(Document& file, std::string_view preset) {
   convention = name;
 }
 
+bool CameraSet::mayBePlace(std::string_view text) const {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return isWhole(text) && error == std::errc() && number < size();
+}
+
 CameraSet::CameraSet(std::string name, Import import, CameraPatches patches, std::shared_ptr<const Document> file)
     : name_(std::move(name)), patches_(std::move(patches)), file_(std::move(file)), import_(std::move(import)) {
   if (import_.cameras.empty()) throw InputError(name_ + ": holds no " + import_.noun);
   for (std::size_t i = 0; i < size(); ++i) {
     names_[import_.cameras[i].name].push_back(i);
     ids_[import_.cameras[i].id].push_back(i);
-    areNumbered_ = areNumbered_ || isWhole(import_.cameras[i].name) || isWhole(import_.cameras[i].id);
+    areNumbered_ = areNumbered_ || mayBePlace(import_.cameras[i].name) || mayBePlace(import_.cameras[i].id);
   }
 }
 
@@ -132,7 +177,20 @@ CameraSet::CameraSet(const CameraPatches& patches) : CameraSet("the command line
   isTyped_ = true;
 }
 
+CameraSet::CameraSet(const std::vector<Picked>& files) : CameraSet(namesOf(files), joinedOf(files), {}) {}
+
+const std::string& CameraSet::fileOf(std::size_t which) const {
+  const CameraEntry& camera = import_.cameras[which];
+  return camera.set ? camera.set->fileOf(camera.which) : name_;
+}
+
+bool CameraSet::mayLackPose(std::size_t which) const {
+  const CameraEntry& camera = import_.cameras[which];
+  return camera.set ? camera.set->mayLackPose(camera.which) : import_.mayLackPose;
+}
+
 std::string CameraSet::nameOf(std::size_t which, const Document& read) const {
+  if (import_.cameras[which].set) return nameOf(which);
   const Json* const stated = valueAt(*read.root, "name");
   return stated && stated->is_string() ? stated->get<std::string>() : nameOf(which);
 }
@@ -148,6 +206,14 @@ std::string CameraSet::pickOf(std::size_t which) const {
   // Names are preferred to ids, and both to numbers. A number after ## is always a number.
   if (isOnly(camera.id, ids_) && !names_.contains(camera.id)) return camera.id;
   return (areNumbered_ ? "#" : "") + number;
+}
+
+std::string CameraSet::othersOf(std::size_t which) const {
+  const auto same = ids_.find(import_.cameras[which].id);
+  if (same == ids_.end() || same->first.empty()) return "";
+  std::vector<std::size_t> others = same->second;
+  std::erase(others, which);
+  return picksOf(others);
 }
 
 std::string CameraSet::picksOf(const std::vector<std::size_t>& cameras) const {
@@ -182,14 +248,15 @@ std::vector<std::size_t> CameraSet::all() const {
 std::size_t CameraSet::choose(const std::optional<std::string>& pick, const std::string& otherwise) const {
   if (!pick) {
     if (size() == 1) return 0;
-    throw InputError(name_ + ": holds " + std::to_string(size()) + " " + import_.noun +
-                     "s; pick one after the file's name: " + picksOf(all()) + otherwise);
+    const std::string count = std::to_string(size()) + " " + import_.noun + "s; ";
+    if (import_.cameras.front().set) throw InputError(name_ + ": hold " + count + "give one of them" + otherwise);
+    throw InputError(name_ + ": holds " + count + "pick one after the file's name: " + picksOf(all()) + otherwise);
   }
   const std::vector<std::size_t> found = called(*pick);
   if (found.size() == 1) return found.front();
   if (!found.empty())
     throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
-                     inQuotes(*pick) + "; pick one by its number: " + picksOf(found));
+                     inQuotes(*pick) + "; pick one: " + picksOf(found));
   const std::vector<std::size_t> under = chooseAll(pick);
   if (under.size() == 1) return under.front();
   throw InputError(name_ + ": holds " + std::to_string(under.size()) + " " + import_.noun + "s under " +
@@ -211,8 +278,8 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
 void CameraSet::failPick(const std::string& pick) const {
   const std::string others = otherWorlds();
   throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + picksOf(all()) +
-                   (areNumbered_ && isWhole(pick) ? ", where ## begins a number, as in ##0" : "") +
-                   (others.empty() ? "" : ", and the same in other worlds, " + others));
+                   (areNumbered_ && isWhole(pick) ? "; its names are numbers: ##0 is the first in the file" : "") +
+                   (others.empty() ? "" : "; " + others));
 }
 
 std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick) const {
@@ -226,24 +293,31 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
   if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
   for (const std::string& each : import_.notes)
-    if (!(each == kEnuNote && sets("world")) && !(each == kNoPoseNote && sets("position")))
+    if (!(each == kEnuNote && sets("world")) && !(each == kNoPoseNote && sets("position")) &&
+        !(each == kOpenCvNote && (statesAxes || isOfPixels)))
       notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);
   }
   if (const std::string others = otherWorlds(); !others.empty())
-    notes.push_back(name_ + ": points are of its cameras' own world; a pick of " + others + " takes points of that");
+    notes.push_back(name_ + ": points are in the cameras' own frame; " + others);
   return notes;
+}
+
+std::string frameOf(std::string_view world) {
+  return world == "imu/" ? "the IMU" : world == "body/" ? "the body" : "the lidar";
 }
 
 std::string CameraSet::otherWorlds() const {
   std::string text;
-  for (const std::string& world : import_.worlds) text += (text.empty() ? "#" : ", #") + world + "*";
+  for (const std::string& world : import_.worlds)
+    text += (text.empty() ? "" : ", ") + ("for points in the frame of " + frameOf(world)) + " pick #" + world + "*";
   return text;
 }
 
 Document CameraSet::document(std::size_t which) const {
+  if (const CameraEntry& camera = import_.cameras[which]; camera.set) return camera.set->document(camera.which);
   Document document{name_ + (size() > 1 ? "#" + pickOf(which) : ""), std::make_shared<Json>(), isTyped_};
   {
     const std::lock_guard lock(importing_);

@@ -35,6 +35,13 @@ inline constexpr const char* kEnuNote =
 inline constexpr const char* kNoPoseNote =
     "the line takes no pose: points are in the camera's axes, right, down, forward";
 
+class CameraSet;
+
+/// Where options give a pose, and a lens without a K.
+inline constexpr const char* kOpenCvNote =
+    "read as OpenCV's: axes right, down, forward, and the first pixel's centre at 0, 0; --set cameraAxes=RUB if the "
+    "camera looks along its -z, --set viewport.pixelCenter=0.5 if 0, 0 is the corner";
+
 /// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
 struct CameraEntry {
   std::string name;  ///< the name in the file, or empty
@@ -44,6 +51,9 @@ struct CameraEntry {
   std::optional<Node> own = std::nullopt;  ///< what the file has of this camera alone
   /// It is another camera's straightened picture, or its place in another world, or the lens of others without a view.
   bool isOfAnother = false;
+  /// Of a set of several files the camera of its own file, by number; else null.
+  std::shared_ptr<const CameraSet> set = nullptr;
+  std::size_t which = 0;
 };
 
 /// The cameras of a file, as a format finds them.
@@ -77,6 +87,9 @@ struct Import {
   }
 };
 
+/// "the lidar" of velodyne/.
+std::string frameOf(std::string_view world);
+
 /// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
 struct CameraSource {
   std::string file;  ///< in the form that load() accepts
@@ -107,6 +120,13 @@ class CameraSet {
   CameraSet(std::string name, Import import, CameraPatches patches, std::shared_ptr<const Document> file = nullptr);
   /// A camera from options only.
   explicit CameraSet(const CameraPatches& patches);
+  /// The cameras that are picked of several files. One that is its file's only one, and has no name or that of another
+  /// camera, is called as the file is.
+  struct Picked {
+    std::shared_ptr<const CameraSet> cameras;
+    std::vector<std::size_t> which;
+  };
+  explicit CameraSet(const std::vector<Picked>& files);
   CameraSet(const CameraSet&) = delete;
   CameraSet& operator=(const CameraSet&) = delete;
 
@@ -115,12 +135,16 @@ class CameraSet {
   std::size_t size() const { return import_.cameras.size(); }
   /// The name in the file; empty if it has none.
   const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
+  /// Of the camera's file, in messages.
+  const std::string& fileOf(std::size_t which) const;
   /// See CameraEntry.
   bool isOfAnother(std::size_t which) const { return import_.cameras[which].isOfAnother; }
   /// The same of a document that was read of it: its own name, which options may have set, counts first.
   std::string nameOf(std::size_t which, const Document& read) const;
   /// The shortest text after # that picks only this camera.
   std::string pickOf(std::size_t which) const;
+  /// "#P_rect_02": others of its id, which are other pictures of it; or empty.
+  std::string othersOf(std::size_t which) const;
   /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
   /// otherwise: what else to do where there are several.
   std::size_t choose(const std::optional<std::string>& pick, const std::string& otherwise = "") const;
@@ -138,15 +162,17 @@ class CameraSet {
   std::vector<std::string> notes(const std::optional<std::string>& pick) const;
   /// See Import.
   const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
-  /// "#velodyne/*, #imu/*"; or empty.
+  /// "for points in the frame of the lidar pick #velodyne/*"; or empty.
   std::string otherWorlds() const;
-  bool mayLackPose() const { return import_.mayLackPose; }
+  bool mayLackPose(std::size_t which) const;
 
  private:
   std::vector<std::size_t> all() const;
   /// The cameras of a name, or else of an id; or else, where neither are numbers, the camera in the place of a number.
   std::vector<std::size_t> called(std::string_view name) const;
   std::string picksOf(const std::vector<std::size_t>& cameras) const;
+  /// Whether a name is a number that may be meant as a camera's place in the file.
+  bool mayBePlace(std::string_view text) const;
   [[noreturn]] void failPick(const std::string& pick) const;
 
   std::string name_;
@@ -156,7 +182,7 @@ class CameraSet {
   Import import_;
   mutable std::mutex importing_;
   std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each
-  bool areNumbered_ = false;                                               ///< a name or an id is a whole number
+  bool areNumbered_ = false;                                               ///< mayBePlace() of a name or an id
 };
 
 }  // namespace viewproj::cmd

@@ -227,7 +227,7 @@ inline constexpr Field kFields[] = {
     {"viewport.y", Kind::number, "Screen position of its corner. Default: 0."},
     {"viewport.depthRange", Kind::range, "Depth at near, far; reverseZ swaps. Default: 0, 1."},
     wordField("viewport.origin", wordsOf<kOriginNames>, "Default: top-left."),
-    {"viewport.pixelCenter", Kind::number, "Default: 0.5; opencv 0."},
+    {"viewport.pixelCenter", Kind::number, "0.5, as COLMAP, NeRF; opencv 0: ROS, KITTI, Kalibr."},
     {"viewport.crop.x", Kind::number, "A tile of the picture, in pixels."},
     {"viewport.crop.y", Kind::number, "A tile of the picture, in pixels."},
     {"viewport.crop.width", Kind::positive, "A tile of the picture, in pixels."},

@@ -52,8 +52,7 @@ Names<ConventionPreset> presetChoices() {
 void CameraOptions::add(CLI::App& app) {
   app_ = &app;
   const OptionGroup camera(app, kCameraGroup);
-  addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or its JSON; #NAME picks one of several");
+  addValues(app, "-c,--camera", "FILE[#NAME]", cameras_, readFileName, "Camera file or JSON; #NAME picks one");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, ...' (help parts)");
   addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
@@ -125,8 +124,8 @@ void CameraOptions::addWriting(CLI::App& app) {
 }
 
 std::optional<std::string> CameraOptions::file(bool mayLack) const {
-  if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
-  if (camera_) return camera_;
+  if (!cameras_.empty() && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
+  if (!cameras_.empty()) return cameras_.front();
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   const bool hasPose = !worldFromCamera_.empty() || !cameraFromWorld_.empty();
   if (!mayLack && !hasPose &&
@@ -160,20 +159,23 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
 }
 
 std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll(bool mayLack) const {
-  return open(file(mayLack));
-}
-
-std::vector<CameraOptions::Picked> CameraOptions::readFiles() const {
-  const auto pickedOf = [&](const std::optional<std::string>& name) {
-    auto [cameras, pick] = open(name);
-    std::vector<std::size_t> which = cameras->chooseAll(pick);
-    return Picked{std::move(cameras), std::move(which)};
-  };
-  std::vector<Picked> all;
-  all.push_back(pickedOf(file()));
+  const std::optional<std::string> first = file(mayLack);
+  std::vector<std::string> names = cameras_;
+  if (names.empty() && first) names.push_back(*first);
   for (const std::string& name : app_->remaining())
-    if (name != "--") all.push_back(pickedOf(readFileName("FILE", name)));
-  return all;
+    if (name != "--") names.push_back(readFileName("FILE", name));
+  if (names.size() < 2) return open(first);
+  std::vector<CameraSet::Picked> files;
+  for (const std::string& name : names) {
+    try {
+      auto [cameras, pick] = open(name);
+      std::vector<std::size_t> which = cameras->chooseAll(pick);
+      files.push_back({std::move(cameras), std::move(which)});
+    } catch (const UnknownFormat& e) {  // is not asked about, nor its matrices: it is one of several
+      throw InputError(e.what());
+    }
+  }
+  return {std::make_unique<CameraSet>(files), std::nullopt};
 }
 
 void CameraOptions::requirePoseCounts(const std::string& option) const {
@@ -198,7 +200,7 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
     throw UsageError(
         "--world-from-camera and --camera-from-world are both the pose; keep one, or repeat one for a chain");
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");
-  Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, takesAll_, {}, ""};
+  Opening opening{cameras_.empty() ? "FILE" : "--camera", std::nullopt, parts_, takesAll_, {}, ""};
   if (!worldFromCamera_.empty() || !cameraFromWorld_.empty()) {
     const bool isInverse = worldFromCamera_.empty();
     opening.poses = isInverse ? cameraFromWorld_ : worldFromCamera_;
@@ -206,14 +208,16 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
     requirePoseCounts(isInverse ? "--camera-from-world" : "--world-from-camera");
   }
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
-  if (!name && !opening.poses.empty()) return {openPoses(opening, std::move(all)), std::nullopt};
+  const auto noted = [](std::unique_ptr<CameraSet> cameras, std::optional<std::string> pick) {
+    for (const std::string& each : cameras->notes(pick)) note(each);
+    return std::pair(std::move(cameras), std::move(pick));
+  };
+  if (!name && !opening.poses.empty()) return noted(openPoses(opening, std::move(all)), std::nullopt);
   if (!name) return {std::make_unique<CameraSet>(all), std::nullopt};
   const CameraSource source = splitPick(*name);
   opening.pick = source.pick;
   try {
-    auto cameras = openCameras(source.file, opening, all);
-    for (const std::string& each : cameras->notes(source.pick)) note(each);
-    return {std::move(cameras), source.pick};
+    return noted(openCameras(source.file, opening, all), source.pick);
   } catch (const UnknownFormat& unknown) {
     if (parts_ || (showsMatrices_ && !changesCamera())) throw;
     const std::string shown = isInlineJson(source.file) ? opening.option : shownName(source.file);
@@ -239,7 +243,7 @@ CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, b
   if (onlyReads_ && file.pose) noteHandedness(file);
   for (const std::string& each : file.notes) note(each);
   if (const std::string unread = cameras.unreadOf(which); !unread.empty())
-    note(cameras.name() + ": not read: " + unread);
+    note(cameras.fileOf(which) + ": not read: " + unread);
   return file;
 }
 

@@ -45,14 +45,9 @@ class CameraOptions {
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
-  /// All cameras of the file, or the one of options; and what #NAME picks among them. mayLack: there may be neither.
+  /// All cameras of the file, or the one of options; and what #NAME picks among them. Of several files those that are
+  /// picked of each. mayLack: there may be neither.
   std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll(bool mayLack = false) const;
-  /// The cameras that are picked of each file, or all of it.
-  struct Picked {
-    std::unique_ptr<CameraSet> cameras;
-    std::vector<std::size_t> which;
-  };
-  std::vector<Picked> readFiles() const;
   /// How they are read.
   ReadOptions reading(bool needsPicture = true, BoxLack boxMayLack = BoxLack::nothing) const {
     return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack, readsForRays_};
@@ -64,7 +59,7 @@ class CameraOptions {
   int writeEach(bool needsPicture,
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
 
-  /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
+  /// The first -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
   std::optional<std::string> file(bool mayLack = false) const;
   /// The preset of --convention; null without it.
   const ConventionPreset* convention() const { return convention_ ? &*convention_ : nullptr; }
@@ -91,8 +86,8 @@ class CameraOptions {
   std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> open(const std::optional<std::string>& name) const;
 
   const CLI::App* app_ = nullptr;
-  std::optional<std::string> camera_, operand_, readAs_, parts_;
-  std::vector<std::string> worldFromCamera_, cameraFromWorld_;
+  std::optional<std::string> operand_, readAs_, parts_;
+  std::vector<std::string> cameras_, worldFromCamera_, cameraFromWorld_;
   std::optional<Size> viewport_;
   std::optional<double> resize_;  ///< of the picture of a file
   std::optional<ConventionPreset> convention_;

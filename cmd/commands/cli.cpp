@@ -184,11 +184,12 @@ void requireOneStandardInput(const CLI::App& app) {
     if (!first.empty()) throw UsageError(first + " and " + what + " cannot both come from standard input");
     first = what;
   };
-  add(fileOf(app, "--camera"), "the camera");
+  const std::pair<const char*, const char*> kSeveral[] = {
+      {"--camera", "the camera"}, {"--world-from-camera", "a pose"}, {"--camera-from-world", "a pose"}};
+  for (const auto& [option, what] : kSeveral)
+    if (const CLI::Option* const files = app.get_option_no_throw(option))
+      for (const std::string& text : files->results()) add(readFileName("", text), what);
   if (fileIsCamera(app)) add(inputFile(app), "the camera");
-  for (const char* option : {"--world-from-camera", "--camera-from-world"})
-    if (const CLI::Option* const poses = app.get_option_no_throw(option))
-      for (const std::string& text : poses->results()) add(readFileName("", text), "a pose");
   add(fileOf(app, "--model"), "the model");
   add(fileOf(app, "--scene"), "the scene");
   if (!fileIsCamera(app)) add(inputFile(app), "the records");

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "camera/plain_camera.hpp"
@@ -36,9 +35,9 @@ struct ConvertOptions {
 struct Chosen {
   CameraFile file;
   std::string name;
-  bool isPlaced;              ///< false: its file does not tell where it stands
-  std::string path;           ///< of its file; empty: it is of another camera, and the others' poses do not place it
-  std::string fileName = {};  ///< without folder and ending, where it is the only one of its file; else empty
+  bool isPlaced;     ///< false: its file does not tell where it stands
+  std::string path;  ///< of its file; empty: it is of another camera, and the others' poses do not place it
+  std::string otherPictures;
 };
 
 /// The camera with its pose as angles of --angles, where there is a pose.
@@ -54,35 +53,20 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
 }
 
 std::vector<Chosen> chosenOf(const ConvertOptions& o, bool needsPicture) {
-  const auto files = o.camera.readFiles();
+  const auto [cameras, pick] = o.camera.readAll();
   std::vector<Chosen> all;
-  std::unordered_map<std::string, std::shared_ptr<Json>> documents;  // by name
-  std::unordered_map<std::string, int> counts;                       // of names
-  std::unordered_set<std::string> placed;                            // paths
-  for (const auto& [cameras, which] : files) {
-    const bool isOnly = which.size() == 1 && files.size() > 1;
-    for (const std::size_t i : which) {
-      CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
-      const bool isPlaced = !cameras->mayLackPose() || hasPose(*file.document.root);
-      const std::string path = cameras->isOfAnother(i) ? "" : cameras->name();
-      if (isPlaced) placed.insert(path);
-      Chosen camera{turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path,
-                    isOnly ? pathOf(cameras->name()).stem().string() : ""};
-      // Files that belong together, as those of a stereo calibration, have the same cameras.
-      const std::shared_ptr<Json>& document = camera.file.document.root;
-      const auto known = documents.find(camera.name);
-      if (camera.fileName.empty() && known != documents.end() && *known->second == *document) continue;
-      if (!camera.name.empty()) documents.emplace(camera.name, document);
-      ++counts[camera.name];
-      all.push_back(std::move(camera));
-    }
+  std::unordered_set<std::string> placed;  // paths
+  for (const std::size_t i : cameras->chooseAll(pick)) {
+    CameraFile file = o.camera.readOne(*cameras, i, needsPicture);
+    const bool isPlaced = !cameras->mayLackPose(i) || hasPose(*file.document.root);
+    const std::string path = cameras->isOfAnother(i) ? "" : cameras->fileOf(i);
+    if (isPlaced) placed.insert(path);
+    all.push_back(
+        {turned(o, o.world.mapped(file)), cameras->nameOf(i, file.document), isPlaced, path, cameras->othersOf(i)});
   }
-  for (Chosen& camera : all) {
-    // One that has no pose is where the others of its file are counted from.
+  // One that has no pose is where the others of its file are counted from.
+  for (Chosen& camera : all)
     camera.isPlaced = camera.isPlaced || (!camera.path.empty() && placed.contains(camera.path));
-    // Of several files with a camera each, the file's name tells which it is.
-    if (!camera.fileName.empty() && (camera.name.empty() || counts[camera.name] > 1)) camera.name = camera.fileName;
-  }
   return all;
 }
 
@@ -122,6 +106,10 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
     if (!camera.isPlaced && chosen.size() > 1 && (writer.places & kPosePlace) != 0)
       camera.file.fail(camera.file.name + ": has no pose, and of several cameras " + std::string(writer.name) +
                        " states each; --world-from-camera 0,0,0 puts them at the origin, FILE#NAME picks one");
+  const Chosen& first = chosen.front();
+  if (chosen.size() == 1 && (writer.places & kStereoPosePlace) != 0 && !first.otherPictures.empty())
+    note(first.file.name + ": R and P are of this picture alone; " + first.otherPictures +
+         " of the same camera is not written");
   if ((writer.places & kYIsUp) != 0) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
@@ -138,7 +126,7 @@ void writeObservations(const ConvertOptions& o, const CLI::App& app) {
       throw UsageError(std::string(option) + " goes with cameras; observations are written as the file has them");
   if (o.camera.changesCamera() || !o.camera.file())
     throw UsageError("observations are written as a file has them; leave out the options of a camera");
-  if (!app.remaining().empty()) throw UsageError("observations are of one file");
+  if (!app.remaining().empty() || app.count("--camera") > 1) throw UsageError("observations are of one file");
   const auto [cameras, pick] = o.camera.readAll();
   std::vector<std::string> names(cameras->size());  // of those that are picked
   for (const std::size_t i : cameras->chooseAll(pick)) names[i] = jsonOf(cameras->pickOf(i));

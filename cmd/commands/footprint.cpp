@@ -212,19 +212,19 @@ int runFootprint(const FootprintOptions& o) {
   int status = 0;
   FootprintWriter writer(o.form,
                          static_cast<int>(o.digits.value_or(o.form == FootprintForm::table ? kDigitsOfTable : 0)));
-  for (const auto& [cameras, which] : o.camera.readFiles())
-    for (const std::size_t i : which) {
-      std::string place;
-      try {
-        const CameraFile file = o.camera.readOne(*cameras, i, true, BoxLack::nearAndFar);
-        if (!file.isTyped) place = file.name + ": ";
-        writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
-      } catch (const InputError& e) {
-        const std::string message = e.what();
-        complain(message.starts_with(place) ? message : place + message);
-        status = 1;
-      }
+  const auto [cameras, pick] = o.camera.readAll();
+  for (const std::size_t i : cameras->chooseAll(pick)) {
+    std::string place;
+    try {
+      const CameraFile file = o.camera.readOne(*cameras, i, true, BoxLack::nearAndFar);
+      if (!file.isTyped) place = file.name + ": ";
+      writer.write(footprintOf(o, file, cameras->nameOf(i, file.document)));
+    } catch (const InputError& e) {
+      const std::string message = e.what();
+      complain(message.starts_with(place) ? message : place + message);
+      status = 1;
     }
+  }
   writer.end();
   return status;
 }

@@ -211,11 +211,20 @@ OrderedJson cameraRow(const std::string& name, const Document& document, bool ma
   const OrderedJson forward = hasItsPose ? asJson(pose->forward()) : OrderedJson();
   try {
     const CameraFile file = readCamera(copied(document), reading);
-    // Focal lengths in pixels have no field of view without the picture's size.
-    const bool hasFov = file.viewport || row["type"] != "intrinsics";
+    const auto states = [&](std::string_view fields) {
+      const std::vector<std::string_view> all = wordsIn(fields);
+      return std::any_of(all.begin(), all.end(), [&](std::string_view field) {
+        return !valueOr(("projection." + std::string(field)).c_str(), nullptr).is_null();
+      });
+    };
+    // One angle alone, or focal lengths in pixels, want the picture's size for the other.
+    const bool isShaped = file.viewport || states("aspect nearWidth") ||
+                          (states("sensorWidth") && states("sensorHeight")) ||
+                          (row["type"] != "intrinsics" && row["type"] != "perspective");
     if (const std::optional<Camera> camera = standIn(file)) {
       const Projection p = camera->projection();
-      if (hasFov) row.update({{"fovX", p.fov(Fov::horizontal)}, {"fovY", p.fov(Fov::vertical)}});
+      if (isShaped || states("fovX sensorWidth")) row["fovX"] = p.fov(Fov::horizontal);
+      if (isShaped || states("fovY sensorHeight")) row["fovY"] = p.fov(Fov::vertical);
       const Intrinsics k = camera->intrinsics();
       if (file.viewport) row.update({{"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}});
     }
@@ -283,7 +292,7 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
   for (const std::size_t i : cameras.chooseAll(pick)) {
     const std::string name = cameras.pickOf(i);
     try {
-      rows.push_back(cameraRow(name, cameras.document(i), cameras.mayLackPose(), o.camera.reading(false), o.angles));
+      rows.push_back(cameraRow(name, cameras.document(i), cameras.mayLackPose(i), o.camera.reading(false), o.angles));
     } catch (const CameraError& e) {
       tell(name + ": " + e.what());
     } catch (const InputError& e) {
@@ -447,7 +456,7 @@ Action declareInfo(CLI::App& app) {
   o->report.add(app, 9);
   o->camera.showMatrices();
   o->camera.takeAll();
-  o->camera.addFile(app);
+  o->camera.addFiles(app);
   o->camera.add(app);
   o->camera.addReversed(app);
   return [o] { return runInfo(*o); };

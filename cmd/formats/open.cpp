@@ -43,11 +43,10 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
   std::string name = splitPick(opening.poses.front()).file;
-  Import result =
-      atPoses(Import::one([camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] {
-                return camera;
-              }),
-              opening, name);
+  Import result = Import::one(
+      [camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] { return camera; });
+  result.notes.emplace_back(kOpenCvNote);
+  result = atPoses(std::move(result), opening, name);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }
 

@@ -195,11 +195,13 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
     return isWorldFirst ? others.substr(1) + " " + own : own + others;
   };
   const std::string pick = opening.pick.value_or("");
-  bool isKept = false;
+  bool isKept = false, stateAxes = true;
   for (const PoseFactor& factor : *factors) {
+    stateAxes = stateAxes && factor.isOfCamera && !factor.lacksAxes;
     result.notes.insert(result.notes.end(), factor.notes.begin(), factor.notes.end());
     isKept = isKept || factor.isOwn;
   }
+  if (stateAxes) std::erase(result.notes, kOpenCvNote);
   const auto isPosed = [](const CameraEntry& camera) { return hasPose(camera.document()); };
   // One camera for several poses, or for one that replaces its own.
   std::size_t first = 0;
@@ -215,10 +217,9 @@ Import atPoses(Import result, const Opening& opening, std::string& name) {
       several = &factor;
   if (!isKept) result.lacksAxes = result.hasTranslation = false;
   for (const std::string& world : std::exchange(result.worlds, {}))
-    result.notes.push_back(name + "#" + world + "* are the same cameras in another world" +
-                           (isKept ? ""
-                                   : "; where the poses are of that: " +
-                                         withOwn(world + (pick.empty() ? result.cameras.front().name : pick))));
+    if (!isKept)
+      result.notes.push_back("if the poses are of " + frameOf(world) + ", use " +
+                             withOwn(world + (pick.empty() ? result.cameras.front().name : pick)));
   const std::string folder = several && opening.pick ? pick + "/" : "";
   const std::string replaced = "its own pose, which " + option + "replaces (" + withOwn(pick) + " keeps both)";
   const auto unreadOf = [unread = result.unread, cameras = result.cameras, first, replaced, isKept](std::size_t which) {

@@ -16,25 +16,25 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::uint32_t kPicture = kPixels | kSizePlace | kShapePlace,
+constexpr std::uint32_t kPicture = kPixels | kSizePlace | kShapePlace, kCentresAtZero = kOffCentrePlace | kFirstAtZero,
+                        kCentresAtHalf = kOffCentrePlace | kFirstAtHalf,
                         kOpenCvLens = kBrownPlace | kK3Place | kRationalPlace | kFisheyePlace,
                         kStatedPoses = kPosePlace | kNeedsPose | kSeveralPlace, kNamedPoses = kStatedPoses | kNamePlace;
 
 constexpr Writer kWriters[] = {
-    {"opencv", ".yml .xml", kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace | kSeveralPlace,
+    {"opencv", ".yml .xml", kPicture | kCentresAtZero | kOpenCvLens | kOmniPlace | kPosePlace | kSeveralPlace,
      writeOpenCv, 2},
     {"ros", "",
-     kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize | kStereoPosePlace | kSeveralPlace,
+     kPicture | kCentresAtZero | kOpenCvLens | kNamePlace | kNeedsWholeSize | kStereoPosePlace | kSeveralPlace,
      writeRos},
     {"kalibr", "",
-     kPicture | kOffCentrePlace | kPosePlace | kSeveralPlace | kNeedsWholeSize | kBrownPlace | kFisheyePlace |
+     kPicture | kCentresAtZero | kPosePlace | kSeveralPlace | kNeedsWholeSize | kBrownPlace | kFisheyePlace |
          kUnifiedPlace | kDoubleSpherePlace | kOmniPlace | kFovPlace,
      writeKalibr},
     {"colmap", "/",
-     kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kQuaternions |
-         kNeedsWholeSize,
+     kPicture | kCentresAtHalf | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kQuaternions | kNeedsWholeSize,
      writeColmap, SIZE_MAX, leftOutOfColmap},
-    {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
+    {"transforms", "transforms.json", kPicture | kCentresAtHalf | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
     {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
     {"gltf", ".gltf", kYIsUp | kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions, writeGltf},
@@ -42,8 +42,8 @@ constexpr Writer kWriters[] = {
      kYIsUp | kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses |
          kQuaternions,
      writeThreeJs},
-    {"open3d", "", kPicture | kOffCentrePlace | kStatedPoses | kNeedsWholeSize, writeOpen3d},
-    {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti, 4},
+    {"open3d", "", kPicture | kCentresAtZero | kStatedPoses | kNeedsWholeSize, writeOpen3d},
+    {"kitti", "", kPixels | kShapePlace | kCentresAtZero | kStatedPoses, writeKitti, 4},
     {"kitti-poses", "", kPosesAlone | kStatedPoses, writeKittiPoses},
     {"tum", "", kPosesAlone | kNamedPoses | kQuaternions, writeTum},
     {"csv", ".csv",
@@ -76,12 +76,11 @@ class Places {
     requireParts();
     if (lacks(kPosesAlone)) requirePicture();
     if (lacks(kPosePlace) && !camera_.isAtOrigin() && (lacks(kStereoPosePlace) || !looksAlongZ()))
-      lack(std::string("a pose") +
-           (lacks(kStereoPosePlace) ? "; " : " that does not look along z, from the plane z = 0; ") +
+      lack(std::string("a pose") + (lacks(kStereoPosePlace) ? "; " : " (but for a rectified pair's); ") +
            (file_.convention.view == ViewAxes::RDF && !valueAt(*file_.document.root, "cameraAxes")
                 ? "--world-from-camera 0,0,0"
                 : "--position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF") +
-           " leaves it out");
+           " writes the lens alone");
     return lacking_;
   }
 
@@ -243,6 +242,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
   bool isFromBottom = false, isOnEarth = false;
+  double moved = 0;             // cx and cy
   double off = 0;               // a rotation
   std::set<std::string> given;  // that a camera lacks
   std::vector<std::string> fitting;
@@ -264,6 +264,8 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
       given.insert("far " + formatNumber(depthsFor(*file.projection)[1]));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
     isOnEarth = isOnEarth || file.worldIsEcef;
+    if (!(lacks(kFirstAtZero) && lacks(kFirstAtHalf)) && valueAt(*file.document.root, "projection.cx"))
+      moved = (lacks(kFirstAtZero) ? 0.5 : 0) - file.viewport->pixelCenter;
     isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
     off = std::max(off, lacks(kQuaternions) || !file.pose ? 0 : rotationError(*file.pose));
@@ -288,6 +290,10 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (!given.empty())
     told += (told.empty() ? form : "; it") + " is given " + joined(std::vector(given.begin(), given.end())) +
             ", which moves no pixel";
+  if (moved != 0)
+    told += (told.empty() ? form : "; it") + " counts the centre of the first pixel as " +
+            (lacks(kFirstAtZero) ? "0.5" : "0") + ": cx, cy are " + formatNumber(std::fabs(moved)) +
+            (moved > 0 ? " larger" : " smaller");
   if (isOnEarth && lacks(kEarthPlace) && !lacks(kPosePlace))
     told += (told.empty() ? form : "; it") +
             " has positions in metres from the Earth's centre, which a program with float32 rounds to half a metre";

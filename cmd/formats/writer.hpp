@@ -82,6 +82,8 @@ enum Place : std::uint32_t {
   kYIsUp = 1 << 25,            ///< in its world, and no form says otherwise
   kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0
   kEarthPlace = 1 << 27,       ///< latitudes and longitudes
+  kFirstAtZero = 1 << 28,      ///< cx, cy count the centre of the first pixel as 0
+  kFirstAtHalf = 1 << 29,      ///< or as 0.5
 };
 
 struct WrittenFile {

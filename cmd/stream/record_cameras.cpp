@@ -88,7 +88,8 @@ RecordCameras::RecordCameras(Setup setup) : setup_(std::move(setup)) {
   const CameraSet& cameras = *setup_.cameras;
   if (setup_.choice == CameraChoice::own) {
     base_ = cameras.document(setup_.picked.front());
-    isUnplaced_ = cameras.mayLackPose() && !hasPose(*base_.root) && !base_.labels.contains("position");
+    isUnplaced_ =
+        cameras.mayLackPose(setup_.picked.front()) && !hasPose(*base_.root) && !base_.labels.contains("position");
     worldIsEcef_ = worldOf(readValues(base_)) == World::ecef;
     return;
   }
@@ -118,7 +119,7 @@ std::vector<std::string> RecordCameras::notes() const {
   if (!first_) return {};
   std::vector<std::string> notes = first_->notes;
   if (const std::string unread = setup_.cameras->unreadOf(firstWhich_); !unread.empty())
-    notes.push_back(setup_.cameras->name() + ": not read: " + unread);
+    notes.push_back(setup_.cameras->fileOf(firstWhich_) + ": not read: " + unread);
   return notes;
 }
 
