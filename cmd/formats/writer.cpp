@@ -264,7 +264,8 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
       given.insert("far " + formatNumber(depthsFor(*file.projection)[1]));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
     isOnEarth = isOnEarth || file.worldIsEcef;
-    if (!(lacks(kFirstAtZero) && lacks(kFirstAtHalf)) && valueAt(*file.document.root, "projection.cx"))
+    if (!(lacks(kFirstAtZero) && lacks(kFirstAtHalf)) &&
+        (!file.isTyped || valueAt(*file.document.root, "projection.cx")))
       moved = (lacks(kFirstAtZero) ? 0.5 : 0) - file.viewport->pixelCenter;
     isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
@@ -292,7 +293,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
             ", which moves no pixel";
   if (moved != 0)
     told += (told.empty() ? form : "; it") + " counts the centre of the first pixel as " +
-            (lacks(kFirstAtZero) ? "0.5" : "0") + ": cx, cy are " + formatNumber(std::fabs(moved)) +
+            (lacks(kFirstAtZero) ? "0.5" : "0") + ": cx, cy and pixels are " + formatNumber(std::fabs(moved)) +
             (moved > 0 ? " larger" : " smaller");
   if (isOnEarth && lacks(kEarthPlace) && !lacks(kPosePlace))
     told += (told.empty() ? form : "; it") +
