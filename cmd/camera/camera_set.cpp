@@ -306,7 +306,7 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
 }
 
 std::string frameOf(std::string_view world) {
-  return world == "imu/" ? "the IMU" : world == "body/" ? "the body" : "the lidar";
+  return world == "imu/" ? "the IMU" : world == "body/" ? "the body" : world == "earth/" ? "the Earth" : "the lidar";
 }
 
 std::string CameraSet::otherWorlds() const {
