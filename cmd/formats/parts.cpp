@@ -21,7 +21,8 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
     {"fisheye", "fisheye"}, {"omni", "omni"}, {"doubleSphere", "ds"}, {"unified", "unified"}, {"fov", "fov"}};
 constexpr std::string_view kNames =
-    "K P fovY fovX focalLength sensorWidth size distortion fisheye omni doubleSphere unified fov cameraFromWorld "
+    "K P fovY fovX focalLength sensorWidth sensorHeight size distortion fisheye omni doubleSphere unified fov "
+    "cameraFromWorld "
     "worldFromCamera position latLonHeight target direction up euler heading name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
@@ -262,7 +263,6 @@ bool readPose(const Parts& parts, Json& camera) {
   }
   for (const char* field : {"position", "direction", "target", "up", "euler"}) {
     if (!parts.has(field)) continue;
-    if (turn.empty()) camera.erase("rotation");
     const std::vector<double>& v = parts.numbers(field, {3});
     camera[field] = std::string_view(field) == "euler" ? Json{{"degrees", v}} : Json(v);
   }
@@ -272,16 +272,14 @@ bool readPose(const Parts& parts, Json& camera) {
   }
   if (parts.has("heading")) {
     const std::vector<double>& turns = parts.numbers("heading", {1, 2, 3});
-    camera.erase("rotation");
     for (std::size_t i = 0; i < turns.size(); ++i) camera[kHeadingTurns[i]] = turns[i];
     if (!parts.has("latLonHeight")) camera["world"] = "enu";
   }
   for (const char* field : {"direction", "target"})
     if (parts.has(field) && !parts.has("up"))
       parts.fail(field, "needs up: up=0+1+0 where y is up, up=0+0+1 where z is");
-  for (const char* place : {"position", "latLonHeight"})
-    if (turn.empty() && parts.has(place) && !parts.hasAny("direction target euler heading"))
-      parts.fail(place, "needs a rotation, direction, target or heading beside it");
+  // What turns it may be an option's.
+  if (turn.empty() && parts.hasAny("position latLonHeight direction target up euler heading")) camera.erase("rotation");
   return !turn.empty() || parts.has("euler");
 }
 
@@ -308,7 +306,7 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
                        : cameraOfMatrix(parts.node("P"), p, size);
   } else {
     if (parts.has("K")) camera["projection"] = projectionOfK(parts);
-    for (const char* field : {"fovX", "fovY", "focalLength", "sensorWidth"})
+    for (const char* field : {"fovX", "fovY", "focalLength", "sensorWidth", "sensorHeight"})
       if (parts.has(field)) camera["projection"].update({{"type", "perspective"}, {field, parts.number(field)}});
     if (size) camera["viewport"] = {{"width", size->front()}, {"height", size->back()}};
     if (readPose(parts, camera) && form.cameraAxes != "RDF") camera["cameraAxes"] = form.cameraAxes;

@@ -365,7 +365,7 @@ TEST_CASE("forms of formats that are less common are read") {
       {R"([{"lat": 47, "lon": 8, "alt": 500, "heading": 1, "fx": 100, "fy": 100, "width": 100, "height": 50}])", "", 1,
        R"("viewport":{"height":50.0,"width":100.0})"},
       {R"([{"LAT": 47, "Longitude": 8, "Altitude": 500, "Yaw": 1, "FocalLengthIn35mmFormat": 24, "ImageWidth": 100, "ImageHeight": 50}])",
-       "", 1, R"("focalLength":24.0,"sensorDiagonal":43.266615305567875)"},
+       "", 1, R"("fovDiagonal":84.06222754839457)"},
       {R"([{"x": 1, "y": 2, "z": 3, "qx": 0, "qy": 0, "qz": 0, "qw": 1, "f": 100, "cx": 50, "cy": 25, "w": 100, "h": 50}])",
        "", 1, R"("cx":50.0,"cy":25.0,"fx":100.0,"fy":100.0)"},
       {R"([{"viewport.width": 100, "viewport.height": 50, "fx": 100, "fy": 110, "cx": 50, "cy": 25}])", "", 1,
