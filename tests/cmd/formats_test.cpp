@@ -524,7 +524,6 @@ TEST_CASE("a line of parts and paths makes a camera") {
       {"K=views.*.*", "two stars"},
       {"K=calib.m, K=calib.m", "given twice"},
       {"K=calib.m^T", "transpose"},
-      {"size=w+h, position=views.a.t", "needs a rotation"},
       {"K=w", "needs"},
   };
   for (const auto& [parts, message] : kWrong) {
