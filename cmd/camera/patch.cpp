@@ -162,7 +162,7 @@ void keepRange(const Document& document) {
   const FieldValues values = readValues(document, "projection");
   const Projection matrix = readProjectionMatrix(values, readConvention(document));
   Json& projection = (*document.root)["projection"];
-  projection["near"] = matrix.zNear();
+  if (matrix.zNear() > 0) projection["near"] = matrix.zNear();
   if (std::isfinite(matrix.zFar())) projection["far"] = matrix.zFar();
 }
 

@@ -37,10 +37,10 @@ struct ProjectionReader {
     if (near == 0) fail("needs near" + why);
   }
 
-  const Viewport& viewport(const std::string& why) const {
+  const Viewport& viewport(const std::string& why, const std::string& more = "") const {
     static constexpr Viewport kAny{.width = 1, .height = 1};
     if (!picture && !options.needsPicture) return kAny;
-    if (!picture) fail("needs a viewport" + why + "; --viewport WIDTHxHEIGHT gives one");
+    if (!picture) fail("needs a viewport" + why + "; --viewport WIDTHxHEIGHT gives one" + more);
     return picture->frame;
   }
 
@@ -123,7 +123,9 @@ struct ProjectionReader {
   /// middle.
   Projection intrinsics() const {
     const double fx = number("projection.fx"), fy = number("projection.fy");
-    const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
+    const bool isPlaced = has("projection.cx") && has("projection.cy") && !has("projection.shift");
+    const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count",
+                                     isPlaced ? ", and only visible and outside depend on its size" : "");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
       requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures");
     const Viewport whole = pictureOfIntrinsics(values, frame);

@@ -309,9 +309,15 @@ int writeProposal(const InfoOptions& o, const Proposal& proposal) {
   return 1;
 }
 
+/// options: those that make a camera of the file.
+void writeCommand(const InfoOptions& o, const std::string& options) {
+  if (o.report.form() == ReportForm::table && !options.empty())
+    writeOutput("\nas a camera:\nviewproj project --point X,Y,Z -c " + o.camera.file().value_or("-") + options + "\n");
+}
+
 /// What the matrices of a text can be. otherwise: the message where there are none. Matrix by matrix, since the
 /// readings of one take many times the memory of its numbers.
-int runMatrices(const InfoOptions& o, const std::string& text, const std::string& otherwise) {
+int runMatrices(const InfoOptions& o, const std::string& text, const std::string& otherwise, bool isTree) {
   const MatrixQuestion question{o.camera.readAs(), o.which};
   const std::vector<ReadMatrix> matrices =
       readMatrices(text, shownName(o.camera.file().value_or("-")), otherwise, question);
@@ -338,10 +344,21 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
   }
   if (isJson) writeOutput("\n]}\n");
   if (!rows.empty()) writeOutput(csvText(rows, o.report.digits()));
-  if (const std::string_view preset = presetOf(matrices); !preset.empty() && o.report.form() == ReportForm::table)
-    writeOutput("\nwith --viewport WIDTHxHEIGHT they are a camera:\nviewproj project X,Y,Z -c " +
-                o.camera.file().value_or("-") + " --read-as " + std::string(preset) + " --viewport WIDTHxHEIGHT\n");
+  writeCommand(o, optionsOf(matrices, text, isTree));
   return allFit ? 0 : 1;
+}
+
+/// Where a file of a known kind needs no more than the size of its picture to be a camera: how to give that, and its
+/// eye.
+void writeWhole(const InfoOptions& o, const std::string& text) try {
+  const auto [cameras, pick] = o.camera.readAll();
+  const CameraFile file = o.camera.readOne(*cameras, cameras->choose(pick), false);
+  if (!file.projection || file.viewport || o.report.form() != ReportForm::table) return;
+  const FieldValues values = readValues(file.document);
+  const Vec2 middle{values.valueOr("projection.cx", 0.0), values.valueOr("projection.cy", 0.0)};
+  writeCommand(o, " --viewport " + sizeIn(text, middle, 0));
+  if (file.pose) writeOutput("\n" + tableText({{"eye", asJson(file.pose->eye())}}, o.report.digits()));
+} catch (const InputError&) {  // NOLINT: it lacks more
 }
 
 int runCamera(const InfoOptions& o) {
@@ -385,7 +402,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const bool isK = hasCamera && !isForCamera && matrices.size() == 1 && o.report.form() == ReportForm::table &&
                    proposal.lines.front().parts.find(", size=") == std::string::npos;
   if (isK) {
-    const int status = runMatrices(o, unknown.text, "");
+    const int status = runMatrices(o, unknown.text, "", true);
     writeOutput("\nwith --viewport WIDTHxHEIGHT it is a camera:\n" + textOf(proposal));
     return status;
   }
@@ -400,7 +417,8 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
       isFaulty ? unknown.file.fault
                : unknown.file.name +
                      ": is not a camera file of a known kind, and no numbers in it look like a camera or a matrix; "
-                     "viewproj help formats lists the kinds");
+                     "viewproj help formats lists the kinds",
+      !unknown.file.isPlainText);
   noteOthers(unknown.file, matrices);
   return status;
 }
@@ -413,7 +431,7 @@ int runInfo(const InfoOptions& o) {
       throw UsageError("--which is for matrices, and the other options for a camera");
     const auto name = o.camera.file();
     if (!name) throw UsageError("--which needs a FILE with matrices");
-    return runMatrices(o, readWholeFile(*name, kMostBytes), shownName(*name) + ": has no matrix");
+    return runMatrices(o, readWholeFile(*name, kMostBytes), shownName(*name) + ": has no matrix", true);
   }
   try {
     return runCamera(o);
@@ -421,10 +439,12 @@ int runInfo(const InfoOptions& o) {
     return runUnknown(o, unknown);
   } catch (const AmbiguousMatrix& e) {
     note(e.what());
-    return runMatrices(o, e.text, e.what());
+    return runMatrices(o, e.text, e.what(), false);
   } catch (const UnknownFormat& e) {
     if (e.text.empty() || o.camera.changesCamera() || o.at || o.height.isTyped()) throw;
-    return runMatrices(o, e.text, e.what());
+    const int status = runMatrices(o, e.text, e.what(), true);
+    writeWhole(o, e.text);
+    return status;
   }
 }
 

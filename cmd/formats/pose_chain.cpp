@@ -79,7 +79,9 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   } catch (const UnknownFormat& unknown) {
     if (const auto pose = writtenPose(unknown.text)) return factorOf(*pose, field);
     if (const auto pose = file->root ? jointPose(*file, pick) : std::nullopt) return factorOf(*pose, field);
-    const auto printed = printedPoses(unknown.text);
+    auto printed = printedPoses(unknown.text);
+    const auto turn = printed.empty() ? printedRotation(unknown.text) : std::nullopt;
+    if (turn) printed.emplace_back("", *turn);
     const auto named = printed.empty() && file->root ? namedPose(*file, field) : std::nullopt;
     if (printed.empty() && !named && isInlineJson(name)) throw;
     if (printed.empty() && !named)
@@ -92,6 +94,7 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
     isOfCamera = false;
     read = named.value_or(PosesOfFile{{}, field, false});
     read.poses.noun = "pose";
+    if (turn) read.poses.notes.push_back("is a rotation alone: its translation is 0, 0, 0");
     for (const auto& [called, pose] : printed)
       read.poses.add(called, "", [pose = pose, field] { return Json{{field, pose}}; });
   }

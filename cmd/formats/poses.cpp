@@ -172,6 +172,23 @@ std::optional<Json> poseAt(const Document& file, const std::string& path) {
   return pose;
 }
 
+std::optional<Json> printedRotation(std::string_view text) {
+  const PastedMatrices pasted = findMatrices(text);
+  std::size_t others = 0;
+  for (const PassedOver& over : pasted.passedOver) others += over.numbers;
+  constexpr std::size_t kPlace = 3;
+  if (pasted.matrices.size() != 1 || pasted.matrices.front().numbers.size() != 9 || others >= kPlace)
+    return std::nullopt;
+  const PastedMatrix& m = pasted.matrices.front();
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    rows.push_back(Json::array());
+    for (std::size_t j = 0; j < 3; ++j) rows.back().push_back(m.isByColumns || m.isCss ? m.at(j, i) : m.at(i, j));
+    rows.back().push_back(0);
+  }
+  return rows;
+}
+
 namespace {
 
 void eachObject(const Json& value, const std::function<void(const Json& object)>& visit) {

@@ -26,6 +26,8 @@ PosesOfFile posesOf(const Node& root);
 std::vector<std::pair<std::string, Json>> printedPoses(std::string_view text);
 /// The rows of the only rigid matrix that the file has at this path, or under its last name.
 std::optional<Json> poseAt(const Document& file, const std::string& path);
+/// The rows of a pose at the origin by the 9 numbers of a text, which has no three others that may be a place.
+std::optional<Json> printedRotation(std::string_view text);
 /// The poses of a file of no form, where it names one quaternion and one place: in the direction of its names, or in
 /// this one.
 std::optional<PosesOfFile> namedPose(const Document& file, const std::string& field);

@@ -326,9 +326,10 @@ class BlockFinder {
 bool isGeneric(std::string_view key) {
   const std::string_view last = key.substr(key.rfind('.') + 1);
   return isOneOf(last, {"v", "m"}) ||
-         isOneOf(lower(last), {"data",   "elements",  "value",  "values", "columns", "array", "type",    "name",
-                               "result", "ans",       "floats", "dtype",  "some",    "rows",  "cols",    "dt",
-                               "m_data", "m_storage", "info",   "debug",  "trace",   "warn",  "warning", "error"});
+         isOneOf(lower(last),
+                 {"data",      "elements", "value",  "values", "columns", "array",   "type", "name", "result",
+                  "ans",       "out",      "floats", "dtype",  "some",    "rows",    "cols", "dt",   "m_data",
+                  "m_storage", "info",     "debug",  "trace",  "warn",    "warning", "error"});
 }
 
 Runs runsOf(const std::vector<Token>& tokens) {

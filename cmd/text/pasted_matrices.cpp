@@ -36,20 +36,32 @@ bool hasWord(std::string_view line) {
                             [&](char a, char b) { return isWordLetter(a) && isWordLetter(b); }) != line.end();
 }
 
-/// "(gdb) p T_cam", "[INFO] T_cam" and "print(T_cam" without the prompt, the level of a log and the command.
-std::string_view withoutCommand(std::string_view line) {
-  static const std::regex prompt(
-      R"(^(\((gdb|lldb|pdb)\)|>>>|In \[\d+\]:|\[?(info|debug|trace|warn|warning|error)\b\]?:?)\s+)", std::regex::icase);
+/// A line without the prompt or the level of a log in front, and without a command that prints: T_cam of "(gdb) p
+/// T_cam",
+/// "[INFO] T_cam" and "print(T_cam)". isPrinted: it is but a name behind a prompt or a command.
+struct PlainLine {
+  std::string_view text;
+  bool isPrinted = false;
+};
+PlainLine withoutCommand(std::string_view line) {
+  static const std::regex front(
+      R"(^(?:(\((?:gdb|lldb|pdb)\)|>{1,3}|In \[\d+\]:)|\[?(?:info|debug|trace|warn|warning|error)\b\]?:?)\s+)",
+      std::regex::icase);
   static const std::regex command(
-      R"(^(?:p|print|po|display|disp|call|expr|v|frame variable)(?:/\w+)?[ (]+([\w.:>-]+)[);]*$)");
+      R"(^(?:(?:p|print|po|display|disp|call|expr|v|frame variable)(?:/\w+)?|println!?|console\.log|Debug\.Log)[ (]+)"
+      R"(([\w$.:>-]+)[);]*$)");
+  static const std::regex name(R"(^[A-Za-z_$][\w$.>\[\]-]*$)");
   constexpr std::size_t kLongest = 200;
-  if (line.size() > kLongest) return line;
-  std::cmatch found;
-  if (std::regex_search(line.data(), line.data() + line.size(), found, prompt))
-    line.remove_prefix(static_cast<std::size_t>(found.length(0)));
-  if (std::regex_search(line.data(), line.data() + line.size(), found, command))
-    line = line.substr(static_cast<std::size_t>(found.position(1)), static_cast<std::size_t>(found.length(1)));
-  return line;
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  if (line.size() > kLongest) return {line};
+  const auto finds = [&](std::cmatch& found, const std::regex& what) {
+    return std::regex_search(line.data(), line.data() + line.size(), found, what);
+  };
+  std::cmatch prompt, found;
+  if (finds(prompt, front)) line.remove_prefix(static_cast<std::size_t>(prompt.length(0)));
+  if (finds(found, command))
+    return {line.substr(static_cast<std::size_t>(found.position(1)), static_cast<std::size_t>(found.length(1))), true};
+  return {line, prompt.length(1) > 0 && finds(found, name)};
 }
 
 /// The headings of a line: what blanks or a colon part, without marks.
@@ -108,10 +120,23 @@ class Namer {
     m.context = tail(m.context + tail(line(m.line)));
     constexpr std::string_view kMarks = " \t#/%*>`-=:";
     prose.remove_prefix(std::min(prose.find_first_not_of(kMarks), prose.size()));
-    prose = withoutCommand(prose.substr(0, prose.find_last_not_of(kMarks) + 1));
+    prose = withoutCommand(prose.substr(0, prose.find_last_not_of(kMarks) + 1)).text;
     prose = prose.substr(0, prose.find('\t'));  // of a table's row the first cell
     if (isGeneric(prose)) prose = {};
-    m.name = !label.empty() ? label : !around.empty() ? around : isNear && !first.key.empty() ? first.key : prose;
+    const bool hasKey = isNear && !first.key.empty();
+    std::string_view printed;
+    constexpr std::size_t kFar = 8;
+    const std::size_t last = std::max({lastLine_, hasKey ? first.keyLine : 0, m.line - std::min(m.line, kFar)});
+    for (std::size_t i = m.line - 1; i > last && printed.empty(); --i)
+      if (const PlainLine plain =
+              withoutCommand(line(i).substr(std::min(line(i).find_first_not_of(" \t"), line(i).size())));
+          plain.isPrinted)
+        printed = plain.text;
+    m.name = !label.empty()     ? label
+             : !around.empty()  ? around
+             : !printed.empty() ? printed
+             : hasKey           ? first.key
+                                : prose;
     if (m.line != columnsLine_) {
       columnsLine_ = m.line;
       hasColumns_ = saysColumns(line(m.line));

@@ -293,9 +293,16 @@ class Scanner {
       at_ = end + 1;  // Array(16) [
       return;
     }
-    if (isAmong(at(at_), "([{") && indexEnd(at_) == kNone) return emit(Kind::callee, w);
-    if (assignment(begin, w)) return;
     const std::string name = lower(w);
+    if (isPlace(last)) return;
+    const std::size_t wordEnd = at_;
+    if (follows("()")) at_ += 2;  // view() =
+    if (assignment(begin, w)) return;
+    at_ = wordEnd;
+    if (isAmong(at(at_), "([{") && indexEnd(at_) == kNone) return emit(Kind::callee, w);
+    // What a switch names is no number.
+    if (isOneOf(name, {"true", "false"}) && !out_.empty() && out_.back().kind == Kind::key)
+      out_.back().kind = Kind::word;
     const std::size_t next = afterBlanks(at_), digits = afterDigits(next);
     if (isOneOf(name, {"row", "col", "column", "line"}) && digits > next && isAmong(at(digits), " \t:")) {
       at_ = digits;
@@ -306,6 +313,17 @@ class Scanner {
                                at(afterBlanks(at_ + (at(at_) == ',' ? 1 : 0))) == '"';
     if (isIndex(last) && w.size() > 1 && isBeforeEntry) return key(w);
     if (!isType(w)) emit(Kind::word);
+  }
+
+  /// scene.cpp:214 and main.rs:88:5, which name no numbers.
+  bool isPlace(std::string_view ending) {
+    const bool isSource = isOneOf(ending, {"c", "cc", "cpp", "cxx", "h", "hpp", "m", "mm", "rs", "go", "py", "js", "ts",
+                                           "java", "kt", "cs", "swift"});
+    if (!isSource || ending.data() == t_.data() || ending.data()[-1] != '.' || at(at_) != ':' || !isDigit(at(at_ + 1)))
+      return false;
+    while (at(at_) == ':' && isDigit(at(at_ + 1))) at_ = afterDigits(at_ + 1);
+    emit(Kind::word);
+    return true;
   }
 
   /// vec4<f32>

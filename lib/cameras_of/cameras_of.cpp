@@ -93,8 +93,9 @@ std::string differences(const MatrixCamera& camera, const Convention& c) {
   };
   add(camera.pose && actual.world != c.world, "world");
   add(camera.kind != MatrixKind::viewProjection && actual.view != c.view, "view");
-  add(camera.lens && actual.ndcZ != c.ndcZ, "ndcZ");
-  add(camera.lens && actual.reverseZ != c.reverseZ, "reverseZ");
+  const bool hasDepth = camera.lens && camera.lens->depthFault.empty();
+  add(hasDepth && actual.ndcZ != c.ndcZ, "ndcZ");
+  add(hasDepth && actual.reverseZ != c.reverseZ, "reverseZ");
   add(camera.lens && actual.ndcY != c.ndcY, "ndcY");
   return names;
 }
@@ -297,6 +298,7 @@ class Solver {
   void addWindow(const ClipParts& parts, bool hasZeros, const std::string& depthFault) {
     MatrixLens lens;
     lens.depthFault = depthFault;
+    if (m_[2] == std::array<double, 4>{}) lens.zFar.value = kInfiniteFar;
     addViews(parts, clipCamera(parts, hasZeros, lens, {}, false));
   }
 
@@ -382,7 +384,8 @@ MatrixCameras camerasOf(const Mat4& m, const MatrixQuery& query) {
   };
   const auto mayBeMultiple = [](const Solver& solver) { return solver.cameras.empty() && !solver.isRefuted; };
   if (mayBeMultiple(written) && (query.convention || mayBeMultiple(turned))) again(Reading::multiple);
-  if (written.cameras.empty() && turned.cameras.empty() && !query.convention) again(Reading::noDepth);
+  const bool lacksDepth = m[2] == std::array<double, 4>{};
+  if (written.cameras.empty() && turned.cameras.empty() && (!query.convention || lacksDepth)) again(Reading::noDepth);
   result.cameras = written.cameras;
   if (!query.convention)
     result.cameras.insert(result.cameras.end(), turned.cameras.begin(), turned.cameras.end());

@@ -140,7 +140,7 @@ void setWindow(MatrixLens& lens, const ClipParts& p, NdcY ndcY) {
   try {
     if (lens.orthographic)
       lens.projection = made({true, left, right, bottom, top, near, far});
-    else if (near > 0)
+    else if (near > 0 || (!lens.depthFault.empty() && far > 0))
       lens.projection = made({false, left, right, bottom, top, near, far});
   } catch (const CameraError&) {  // NOLINT: no projection
   }

@@ -50,7 +50,8 @@ struct MatrixLens {
   Vec2 fovError;                ///< how far the angles of view may be off, horizontal and vertical, in degrees
   bool beyondInfinity = false;  ///< infinite far, with depth at infinity slightly inside the range ("tweaked")
   std::string depthFault;       ///< if not empty: rows x, y and w are a camera's, and what the z row is instead
-  std::optional<Projection> projection;  ///< empty if near and far are not determined well enough for a camera
+  /// Empty if near and far are not determined well enough for a camera. Without near if the z row is 0 0 0 0.
+  std::optional<Projection> projection;
 };
 
 /// A camera that fits a matrix.

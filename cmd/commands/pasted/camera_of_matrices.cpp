@@ -64,48 +64,122 @@ bool holdsNoOther(const PastedMatrices& pasted) {
                      [](const PassedOver& over) { return over.name.empty(); });
 }
 
-/// The camera of a view-projection or its inverse, which all readings give. Throws InputError after its name.
-std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, const Convention& stated) {
-  OrderedJson camera;
-  for (const Reading& reading : matrix.found.readings) {
-    if (reading.kind != matrix.found.readings.front().kind) continue;
-    const MatrixLens& lens = *reading.camera->lens;
-    if (!lens.projection)
-      throw InputError(name + ": " +
-                       (lens.depthFault.empty()
-                            ? "its digits do not tell near and far; info tells its eye, axes and fields of view"
-                            : lens.depthFault));
-    Convention c = reading.camera->convention;
+/// Whether a preset has its world, range of depth and NDC y.
+bool isOfPreset(const Reading& r) {
+  return std::any_of(conventionPresets().begin(), conventionPresets().end(), [&](const Convention& c) {
+    return fitsButVectors(r, c) && c.world == r.camera->convention.world;
+  });
+}
+
+/// The presets that choose between these readings, those of the first one first; of a reading those that have all of
+/// it, if there are such.
+std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  std::vector<std::string_view> names;
+  for (const Reading& reading : readings) {
+    const std::size_t before = names.size();
+    for (const bool isWhole : {true, false})
+      for (const ConventionPreset& preset : conventionPresets()) {
+        if (names.size() > before && !isWhole) break;
+        const std::vector<Reading> chosen = readingsIn(readings, preset, isInMemoryOrder);
+        const bool isThis = !chosen.empty() && chosen.front().kind == reading.kind &&
+                            chosen.front().layout == reading.layout &&
+                            chosen.front().camera->convention == reading.camera->convention;
+        const bool isNew = std::find(names.begin(), names.end(), preset.name) == names.end();
+        if (isThis && isNew && (!isWhole || differences(reading, preset).empty())) names.push_back(preset.name);
+      }
+  }
+  return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
+}
+
+[[noreturn]] void failAmbiguous(const std::string& name, const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  throw AmbiguousMatrix(name + ": can be read in " + std::to_string(readings.size()) +
+                        " ways, which give different matrices; --read-as " +
+                        alternatives(presetsOf(readings, isInMemoryOrder)) +
+                        " chooses, and for matrix --which NAME too; viewproj info lists them");
+}
+
+/// Notes that a camera is made without near and far, since its readings have others.
+void noteLackOfDepth(const std::string& name, const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  const std::string& fault = readings.front().camera->lens->depthFault;
+  note(name + ": " +
+       (readings.size() > 1
+            ? "can be read in " + std::to_string(readings.size()) +
+                  " ways, which differ in depth alone, so that the camera has no near and far; "
+                  "--read-as " +
+                  alternatives(presetsOf(readings, isInMemoryOrder)) + " gives them"
+            : (fault.empty() ? "its digits do not tell near and far" : fault) + ", so that the camera has neither"));
+}
+
+/// The camera of a view-projection or its inverse by a reading, with near and far or without.
+OrderedJson cameraOfReading(const Reading& reading, const Convention& stated, bool hasDepth) {
+  const MatrixLens& lens = *reading.camera->lens;
+  Convention c = hasDepth ? reading.camera->convention : Convention{};
+  c.world = reading.camera->convention.world;
+  if (hasDepth) {
     c.view = stated.view;
     c.vectors = stated.vectors;
     c.storage = stated.storage;
-    OrderedJson convention = asJson(c);
-    for (const ConventionPreset& preset : conventionPresets())
-      if (preset.convention == stated) convention.emplace("preset", preset.name);
-    Convention axes = c;
-    axes.view = c.world == Handedness::left ? ViewAxes::RUF : ViewAxes::RUB;
-    const Projection& p = *lens.projection;
-    const double scale = p.isOrthographic() ? 1 : p.zNear();
-    OrderedJson each{{"convention", convention},
-                     {"cameraAxes", nameOf(kViewNames, axes.view)},
-                     {"worldFromCamera", asJson(viewproj::matrix(makeCamera(*reading.camera->pose, p, {1, 1}, axes),
-                                                                 Space::world, Space::view))},
-                     {"projection",
-                      {{"type", p.isOrthographic() ? "orthographic" : "frustum"},
-                       {"left", p.left() * scale},
-                       {"right", p.right() * scale},
-                       {"bottom", p.bottom() * scale},
-                       {"top", p.top() * scale},
-                       {"near", p.zNear()}}}};
-    if (std::isfinite(p.zFar())) each["projection"]["far"] = p.zFar();
-    if (!camera.is_null() && camera != each)
-      throw InputError(name + ": can be read in several ways; viewproj info lists them, --read-as NAME chooses");
-    camera = std::move(each);
   }
-  const bool isOrthographic = camera["projection"]["type"] == "orthographic";
+  OrderedJson convention = asJson(c);
+  for (const ConventionPreset& preset : conventionPresets())
+    if (preset.convention == stated) convention.emplace("preset", preset.name);
+  Convention axes = c;
+  axes.view = c.world == Handedness::left ? ViewAxes::RUF : ViewAxes::RUB;
+  const Projection p =
+      hasDepth ? *lens.projection : perspectiveWindow(lens.left, lens.right, lens.bottom, lens.top, 1, kInfiniteFar);
+  const auto matrixIn = [&](const Convention& in, Space to, Space from) {
+    return viewproj::matrix(makeCamera(*reading.camera->pose, p, {1, 1}, in), to, from);
+  };
+  OrderedJson camera{{"convention", convention},
+                     {"cameraAxes", nameOf(kViewNames, axes.view)},
+                     {"worldFromCamera", asJson(matrixIn(axes, Space::world, Space::view))}};
+  if (!hasDepth) {
+    Mat4 rows = matrixIn(c, Space::clip, Space::view);
+    rows[2] = {};
+    camera["projection"] = {{"type", "matrix"}, {"matrix", asJson(rows)}};
+    return camera;
+  }
+  const double scale = p.isOrthographic() ? 1 : p.zNear();
+  camera["projection"] = {{"type", p.isOrthographic() ? "orthographic" : "frustum"},
+                          {"left", p.left() * scale},
+                          {"right", p.right() * scale},
+                          {"bottom", p.bottom() * scale},
+                          {"top", p.top() * scale},
+                          {"near", p.zNear()}};
+  if (std::isfinite(p.zFar())) camera["projection"]["far"] = p.zFar();
+  return camera;
+}
+
+template <class Values>
+bool areAlike(const Values& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+}
+
+/// The camera of a view-projection or its inverse, which all readings give. Throws InputError after its name.
+std::string cameraOfProduct(const ReadMatrix& matrix, const std::string& name, const Convention& stated) {
+  const bool isInMemoryOrder = matrix.pasted.isInMemoryOrder;
+  std::vector<Reading> readings = matrix.found.readings;
+  const ReadingKind kind = readings.front().kind;
+  std::erase_if(readings, [&](const Reading& r) { return r.kind != kind; });
+  prefer(readings, isOfPreset);
+  const auto camerasWith = [&](bool hasDepth) {
+    std::vector<OrderedJson> cameras;
+    for (const Reading& r : readings) cameras.push_back(cameraOfReading(r, stated, hasDepth));
+    return cameras;
+  };
+  const bool isOrthographic = readings.front().camera->lens->orthographic;
+  const bool haveDepth = std::all_of(readings.begin(), readings.end(), [](const Reading& r) {
+    return r.camera->lens->projection && r.camera->lens->depthFault.empty();
+  });
+  if (isOrthographic && !haveDepth) throw InputError(name + ": its digits do not tell near and far");
+  std::vector<OrderedJson> cameras = camerasWith(haveDepth);
+  const bool lacksDepth = !haveDepth || (!isOrthographic && !areAlike(cameras));
+  if (lacksDepth && haveDepth) cameras = camerasWith(false);
+  if (!areAlike(cameras)) failAmbiguous(name, readings, isInMemoryOrder);
+  if (lacksDepth) noteLackOfDepth(name, readings, isInMemoryOrder);
   note(name + ": is made a camera, which agrees to the digits that it has" +
        (isOrthographic ? "; it does not tell the eye, from which viewDistance counts" : ""));
-  return camera.dump();
+  return cameras.front().dump();
 }
 
 /// The matrices of a text by their kinds: those of one kind alone are a camera's.
@@ -126,13 +200,31 @@ struct KnownMatrices {
     const ReadMatrix* const view = only(ReadingKind::view);
     return view ? view : only(ReadingKind::pose);
   }
-  /// Of a view or pose, only what has the axes of a reading of this projection, if there is such.
-  void keepFitting(const ReadMatrix& stand, const ReadMatrix& lens) {
-    prefer(matrices[static_cast<std::size_t>(&stand - matrices.data())].found.readings, [&](const Reading& r) {
-      return std::any_of(lens.found.readings.begin(), lens.found.readings.end(), [&](const Reading& l) {
-        return l.kind == ReadingKind::projection && r.camera && l.camera->convention.view == r.camera->convention.view;
-      });
-    });
+  /// Of a projection and of a view or pose, the readings with axes that both can have, and of these with the axes of
+  /// which the names beside them speak, where there are such. Returns those of which names chose.
+  std::vector<const ReadMatrix*> keepFitting(const ReadMatrix* stand, const ReadMatrix* lens) {
+    std::vector<ReadMatrix*> both;
+    for (ReadMatrix& matrix : matrices)
+      if (&matrix == stand || &matrix == lens) both.push_back(&matrix);
+    const auto has = [](const ReadMatrix& m, ViewAxes axes) {
+      return std::any_of(m.found.readings.begin(), m.found.readings.end(),
+                         [&](const Reading& r) { return r.camera && r.camera->convention.view == axes; });
+    };
+    const auto keep = [&](const auto& isKept) {
+      std::vector<const ReadMatrix*> changed;
+      for (ReadMatrix* matrix : both) {
+        const std::size_t before = matrix->found.readings.size();
+        prefer(matrix->found.readings,
+               [&](const Reading& r) { return !r.camera || isKept(r.camera->convention.view); });
+        if (matrix->found.readings.size() < before) changed.push_back(matrix);
+      }
+      return changed;
+    };
+    keep([&](ViewAxes axes) { return std::all_of(both.begin(), both.end(), [&](auto* m) { return has(*m, axes); }); });
+    std::optional<ViewAxes> named;
+    for (const ReadMatrix* matrix : both)
+      if (const auto axes = hintOf(matrix->pasted).axes; axes && has(*matrix, *axes)) named = axes;
+    return named ? keep([&](ViewAxes axes) { return axes == *named; }) : std::vector<const ReadMatrix*>();
   }
   /// The one K or P of pixels.
   const ReadMatrix* calibration() const {
@@ -151,22 +243,12 @@ void keepOfCalibration(ReadMatrix& matrix) {
   if (readings.empty()) matrix.found.fault = "none of its readings has the K's axes; --world-from-camera adds a pose";
 }
 
-/// A preset for each reading that has one.
-std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
-  std::vector<std::string_view> names;
-  for (const Reading& r : readings)
-    for (const ConventionPreset& preset : conventionPresets())
-      if (fits(r, preset.convention, isInMemoryOrder) && differences(r, preset.convention).empty()) {
-        names.push_back(preset.name);
-        break;
-      }
-  return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
-}
-
 }  // namespace
 
-std::string_view presetOf(const std::vector<ReadMatrix>& matrices) {
-  const KnownMatrices known(matrices);
+namespace {
+
+/// The preset by which a projection and a view or pose are read in their first readings; or empty.
+std::string_view presetOf(const KnownMatrices& known) {
   const ReadMatrix *const lens = known.only(ReadingKind::projection), *const stand = known.stand();
   if (!lens || !stand) return "";
   const Reading &p = lens->found.readings.front(), &v = stand->found.readings.front();
@@ -174,6 +256,35 @@ std::string_view presetOf(const std::vector<ReadMatrix>& matrices) {
     if (fits(p, preset, lens->pasted.isInMemoryOrder) && fits(v, preset, stand->pasted.isInMemoryOrder))
       return preset.name;
   return "";
+}
+
+std::string sizeBeside(const std::string& text, const Reading& reading) {
+  if (reading.pixels) return sizeIn(text, Vec2{reading.pixels->cx, reading.pixels->cy}, 0);
+  const MatrixLens& lens = *reading.camera->lens;
+  return sizeIn(text, {}, (lens.right - lens.left) / (lens.top - lens.bottom));
+}
+
+}  // namespace
+
+std::string optionsOf(const std::vector<ReadMatrix>& matrices, const std::string& text, bool isTree) {
+  const KnownMatrices known(matrices);
+  const ReadMatrix *const stand = known.stand(), *const calibration = known.calibration(),
+                          *const lens = known.only(ReadingKind::projection),
+                          *const product = known.only(ReadingKind::viewProjection);
+  const ReadMatrix* const shape = calibration ? calibration : lens ? lens : product;
+  const std::string viewport =
+      " --viewport " + (shape ? sizeBeside(text, shape->found.readings.front()) : "WIDTHxHEIGHT");
+  std::string preset(presetOf(known));
+  if (!preset.empty()) return " --read-as " + preset + viewport;
+  if (isTree) return "";
+  const bool isWhole = matrices.size() == (stand ? 2 : 1);
+  if (calibration) return isWhole && holdsNoOther(findMatrices(text)) ? viewport : "";
+  const ReadMatrix* const alone = stand ? stand : product;
+  if (!alone || matrices.size() > 1) return "";
+  std::vector<Reading> readings = alone->found.readings;
+  prefer(readings, [kind = readings.front().kind](const Reading& r) { return r.kind == kind; });
+  preset = presetsOf(readings, alone->pasted.isInMemoryOrder).front();
+  return " --read-as " + preset + (stand ? fovIn(text) : "") + viewport;
 }
 
 void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices) {
@@ -184,28 +295,28 @@ void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices)
 }
 
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
-                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world) {
+                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world,
+                       bool mayLackDepth) {
   std::vector<Reading> readings = matrix.found.readings;
   if (readings.empty()) throw InputError(name + ": " + matrix.found.fault);
   // A name that tells the kind decides between the kinds.
   const KindHint hint = hintOf(matrix.pasted);
   prefer(readings, [&](const Reading& r) { return r.kind == hint.kind; });
-  std::optional<Mat4> result;
-  for (const Reading& r : readings) {
-    Mat4 each;
-    try {
+  std::vector<Mat4> all;
+  for (const Reading& r : readings) try {
       const Convention own = r.camera ? r.camera->convention : Convention{};
-      each = converted(r, matrixOf(matrix.pasted, r.layout), writing(own));
+      all.push_back(converted(r, matrixOf(matrix.pasted, r.layout), writing(own)));
     } catch (const CameraError& e) {
       throw InputError(name + ": " + e.message());
     }
-    if (result && !(*result == each))
-      throw AmbiguousMatrix(name + ": can be read in " + std::to_string(readings.size()) +
-                            " ways, which give different matrices; --read-as " +
-                            alternatives(presetsOf(readings, matrix.pasted.isInMemoryOrder)) +
-                            " chooses, and for matrix --which NAME too; viewproj info lists them");
-    result = each;
-  }
+  const bool isLens = std::all_of(readings.begin(), readings.end(), [](const Reading& r) {
+    return r.kind == ReadingKind::projection && !r.camera->lens->orthographic;
+  });
+  const bool lacksDepth = mayLackDepth && isLens && !areAlike(all);
+  if (lacksDepth)
+    for (Mat4& each : all) each[2] = {};
+  if (!areAlike(all)) failAmbiguous(name, readings, matrix.pasted.isInMemoryOrder);
+  if (lacksDepth) noteLackOfDepth(name, readings, matrix.pasted.isInMemoryOrder);
   if (readings.front().camera->pose) {
     const Handedness own = readings.front().camera->convention.world;
     if (world.value_or(own) != own)
@@ -213,11 +324,13 @@ NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
                        "-handed, unlike that of the matrices before it; --which picks");
     world = own;
   }
-  return {name, *result};
+  return {name, all.front()};
 }
 
-std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
-                                            const std::optional<Convention>& readAs) {
+namespace {
+
+std::optional<std::string> cameraIn(const UnknownFormat& file, const std::string& source,
+                                    const std::optional<Convention>& readAs) {
   const PastedMatrices pasted = findMatrices(file.text);
   const Document* const tree = treeOf(file);
   const bool areAlone = !tree || othersIn(*tree, pasted.matrices).empty();
@@ -225,7 +338,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   using enum ReadingKind;
   KnownMatrices known(readMatrices(file.text, source, file.what(), {readAs, {}, !areAlone && !readAs}));
   if (!areAlone) {
-    const std::string_view preset = readAs ? "" : presetOf(known.matrices);
+    const std::string_view preset = readAs ? "" : presetOf(known);
     if (!preset.empty())
       throw InputError(std::string(file.what()) + "; --read-as " + std::string(preset) +
                        " reads its matrices as a camera");
@@ -252,7 +365,13 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
   if (!isWhole && (!stand || tree)) return std::nullopt;
   if (product || (calibration && calibration->found.readings.front().kind == p)) stand = nullptr;
 
-  if (stand && lens) known.keepFitting(*stand, *lens);
+  if (const auto named = known.keepFitting(stand, lens); !named.empty()) {
+    std::vector<std::string> names;
+    for (const ReadMatrix* matrix : named) names.push_back(shownNameOf(*matrix));
+    note(source + ": " + joined(names) + ": names choose the view's axes " +
+         std::string(nameOf(kViewNames, named.front()->found.readings.front().camera->convention.view)) +
+         "; --read-as NAME reads others");
+  }
 
   MatrixSet set;
   std::optional<Handedness> world;
@@ -266,12 +385,7 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
     return c;
   };
   const auto add = [&](const ReadMatrix& matrix, std::string name) {
-    try {
-      set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world));
-    } catch (AmbiguousMatrix& e) {
-      e.text = file.text;
-      throw;
-    }
+    set.matrices.push_back(convertOne(matrix, source + ": " + shownNameOf(matrix), writing, world, true));
     set.matrices.back().name = std::move(name);
   };
   if (stand) add(*stand, anyView ? "view" : "viewInverse");
@@ -306,6 +420,18 @@ std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std
               {"TangentialDistortion", {0, 0}}};
   if (stand) camera[anyView ? "w2c" : "c2w"] = set.matrices.front().matrix.m;
   return camera.dump();
+}
+
+}  // namespace
+
+std::optional<std::string> cameraOfMatrices(const UnknownFormat& file, const std::string& source,
+                                            const std::optional<Convention>& readAs) {
+  try {
+    return cameraIn(file, source, readAs);
+  } catch (AmbiguousMatrix& e) {
+    e.text = file.text;
+    throw;
+  }
 }
 
 }  // namespace viewproj::cmd

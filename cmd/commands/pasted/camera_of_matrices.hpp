@@ -18,12 +18,14 @@ struct AmbiguousMatrix : InputError {
 };
 
 /// The one matrix that all readings give. writing: the convention to write in, of that of a reading. world: that of the
-/// matrices with a pose, which is one for all. Throws AmbiguousMatrix.
+/// matrices with a pose, which is one for all. mayLackDepth: of readings that differ in depth alone its z row is 0 0 0
+/// 0. Throws AmbiguousMatrix.
 NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name,
-                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world);
+                       const std::function<Convention(const Convention&)>& writing, std::optional<Handedness>& world,
+                       bool mayLackDepth = false);
 
-/// The preset by which the matrices of a text, a projection and a view or pose, are read as a camera; or empty.
-std::string_view presetOf(const std::vector<ReadMatrix>& matrices);
+/// The options beside -c FILE by which the matrices of a text are read as a camera, in their first readings; or empty.
+std::string optionsOf(const std::vector<ReadMatrix>& matrices, const std::string& text, bool isTree);
 
 /// Notes the numbers of a file that no matrix of it has. Of plain text, those without a name: of others info tells.
 void noteOthers(const Document& file, const std::vector<PastedMatrix>& matrices);

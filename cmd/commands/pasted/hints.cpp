@@ -1,9 +1,13 @@
 // What a name, or the lines in front of a matrix, say of its kind.
 #include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
 #include <span>
 #include <utility>
 
 #include "commands/pasted/readings.hpp"
+#include "text/number.hpp"
 #include "text/pasted_parts.hpp"
 
 namespace viewproj::cmd {
@@ -15,6 +19,7 @@ struct Word {
   bool isApart = false;  ///< behind a blank or a mark, and no part of one name with the word before
 };
 using Words = std::vector<Word>;
+constexpr std::size_t kMostText = 1 << 16;  ///< in which sizes and angles are sought
 
 /// In lower case: worldToCamera, world2camera and "World to camera" are world, to or 2, camera. A word of its own is
 /// the end of a clause.
@@ -202,6 +207,42 @@ KindHint hintOf(const PastedMatrix& m) {
       return hint;
     }
   return around;
+}
+
+std::string fovIn(const std::string& text) {
+  static const std::regex fov(R"((h)?(?:fov|field_?\s?of_?\s?view)(?:_?(x)|_?y)?[^\w\n]*\n?[^\w\n]*(\d+(?:\.\d+)?))",
+                              std::regex::icase);
+  std::smatch found;
+  const std::string front = text.substr(0, kMostText);
+  if (!std::regex_search(front, found, fov)) return " --fov-y DEGREES";
+  const double degrees = std::stod(found[3]);
+  const bool isAcross = found[1].matched || found[2].matched;
+  return degrees >= kNarrowFov && degrees < 180 ? (isAcross ? " --fov-x " : " --fov-y ") + formatNumber(degrees)
+                                                : " --fov-y DEGREES";
+}
+
+std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect) {
+  static const std::regex pair(R"((\d{2,5})(?:\.0*)?(?:\s*[x*,;]\s*|\s+)(?=(\d{2,5})(?:\.0*)?(?![\w.])))");
+  constexpr double kMiddle = 0.2, kSquare = 2e-3;
+  const auto fits = [&](double width, double height) {
+    if (middle)
+      return std::fabs(2 * middle->x - width) < kMiddle * width && std::fabs(2 * middle->y - height) < kMiddle * height;
+    return std::min(width, height) >= 100 && std::fabs(width / height - aspect) < kSquare * aspect;
+  };
+  std::set<std::pair<double, double>> sizes;
+  const std::string front = text.substr(0, kMostText);
+  for (std::sregex_iterator each(front.begin(), front.end(), pair), end; each != end; ++each) {
+    const auto at = static_cast<std::size_t>(each->position());
+    if (at > 0 && (isLetter(front[at - 1]) || isDigit(front[at - 1]) || pasted::isAmong(front[at - 1], "._-+")))
+      continue;
+    const double a = std::stod((*each)[1]), b = std::stod((*each)[2]);
+    if (fits(a, b))
+      sizes.emplace(a, b);
+    else if (fits(b, a))
+      sizes.emplace(b, a);
+  }
+  return sizes.size() == 1 ? formatNumber(sizes.begin()->first) + "x" + formatNumber(sizes.begin()->second)
+                           : "WIDTHxHEIGHT";
 }
 
 bool countsFromOne(const PastedMatrix& m) {

@@ -194,7 +194,9 @@ class LayoutReader {
     const bool isExact = rigidity(m_) < 1e-9;
     if (isRotation()) addRotation();
     if ((isExact && laid_.layout != MatrixLayout::either) || !addK())
-      fault = "it is no rotation, and has numbers below its diagonal or zeros on it, as no K has";
+      fault =
+          "it is no rotation, and has numbers below its diagonal or zeros on it, as no K has; it may be the homography "
+          "of a plane, which is not modelled";
   }
 
   void readThreeByFour() {

@@ -63,6 +63,8 @@ double costOf(const Reading& r, const std::vector<Reading>& all, const KindHint&
   if (m.isByColumns && r.layout == MatrixLayout::asWritten) cost += 6;
   if (r.camera && r.camera->lens) cost += costOfDepth(r);
   if (isStrange(r) && std::any_of(all.begin(), all.end(), isInverse)) cost += 2 * kSpoken;
+  // A camera's turn as it is named: of a view its rows are the camera's axes, of a pose its columns.
+  if (r.kind == rotation && hint.kind == (r.layout == MatrixLayout::asWritten ? pose : view)) cost += 1;
   if (r.isCentred) cost -= 3;
   if (r.rise != 0) cost -= r.rise > 0 ? 1.5 : 1.25;
   if (r.scaledBy != 1 && r.kind == view) cost += 3;

@@ -59,12 +59,16 @@ MatrixReadings readingsOf(const PastedMatrix& pasted, bool isBesideK) {
   return result;
 }
 
-bool fits(const Reading& reading, const Convention& c, bool isInMemoryOrder) {
+bool fitsButVectors(const Reading& reading, const Convention& c) {
   if (!reading.camera) return true;
   const MatrixCamera& r = *reading.camera;
   if (r.lens && ((r.lens->depthFault.empty() && c.ndcZ != r.convention.ndcZ) || c.ndcY != r.convention.ndcY))
     return false;
-  if (r.kind != MatrixKind::viewProjection && c.view != r.convention.view) return false;
+  return r.kind == MatrixKind::viewProjection || c.view == r.convention.view;
+}
+
+bool fits(const Reading& reading, const Convention& c, bool isInMemoryOrder) {
+  if (!reading.camera || !fitsButVectors(reading, c)) return !reading.camera;
   const bool isTurned = reading.layout == MatrixLayout::transposed, isOfRows = c.vectors == Vectors::row;
   return reading.layout == MatrixLayout::either || (isOfRows != (c.storage == Storage::columnMajor)) == isTurned ||
          (!isInMemoryOrder && isOfRows == isTurned);
@@ -80,7 +84,10 @@ std::vector<std::string> differences(const Reading& r, const Convention& c) {
 }
 
 std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& c, bool isInMemoryOrder) {
-  std::erase_if(readings, [&](const Reading& r) { return !fits(r, c, isInMemoryOrder); });
+  if (std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return fits(r, c, isInMemoryOrder); }))
+    std::erase_if(readings, [&](const Reading& r) { return !fits(r, c, isInMemoryOrder); });
+  else
+    std::erase_if(readings, [&](const Reading& r) { return !fitsButVectors(r, c) || !differences(r, c).empty(); });
   const auto isOwn = [&](const Reading& r) { return differences(r, c).empty(); };
   std::array<bool, std::size(kReadingKinds)> haveOwn{};
   const auto has = [&](const Reading& r) -> bool& { return haveOwn[static_cast<std::size_t>(r.kind)]; };

@@ -78,6 +78,12 @@ KindHint hintOf(const PastedMatrix& matrix);
 /// Whether pixels begin at 1 in the programs that have its name.
 bool countsFromOne(const PastedMatrix& matrix);
 
+/// " --fov-y 70" of "fov = 70" in a text, else " --fov-y DEGREES".
+std::string fovIn(const std::string& text);
+/// "1920x1080" of two whole numbers in a text, in either order, of a picture with its middle there, or else of this
+/// aspect; of none, or several, WIDTHxHEIGHT.
+std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect);
+
 /// Keeps the readings that are better, where some are.
 template <class IsBetter>
 void prefer(std::vector<Reading>& readings, IsBetter isBetter) {
@@ -99,11 +105,14 @@ Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
 /// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which
 /// follow from the matrix and the rest. A calibration and a rotation have no convention.
 bool fits(const Reading& reading, const Convention& convention, bool isInMemoryOrder);
+/// But for its vectors and storage, in which shaders have matrices transposed.
+bool fitsButVectors(const Reading& reading, const Convention& convention);
 
 /// "world", "reverseZ": which of the two a convention has otherwise.
 std::vector<std::string> differences(const Reading& reading, const Convention& convention);
 
 /// The readings that a convention allows; of each kind those of its own world and depth alone where there are such.
+/// Where there are none, those that differ in vectors alone.
 std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& convention, bool isInMemoryOrder);
 
 /// The matrix of a reading, for column vectors, in another convention: by signs and the range of depth alone, so that

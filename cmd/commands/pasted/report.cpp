@@ -73,29 +73,34 @@ OrderedJson lensJson(const MatrixLens& lens, const Vec2& edgeError) {
   return part;
 }
 
-/// Of a rotation's rows; of those of a mirrored one that of its negative.
+/// Of a rotation's rows.
 std::array<double, 4> turnOf(const Reading& r) {
-  const double sign = r.isMirrored ? -1 : 1;
   PlainColumns columns;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) columns[j][i] = sign * r.rows[i][j];
+    for (std::size_t j = 0; j < 3; ++j) columns[j][i] = r.rows[i][j];
   return quaternionOf(columns);
 }
 
 /// How far the angle of a turn may be off, in radians: numbers that are off by so much in all are off by sqrt(2) of it.
 double turnError(const Reading& r) { return r.axesError / std::numbers::sqrt2; }
 
+/// A rotation takes the world to the camera as it is read: its rows are the camera's axes, here OpenCV's.
 OrderedJson rotationJson(const Reading& r, OrderedJson& errors) {
+  if (r.isMirrored) return {{"quaternion", nullptr}, {"axis", nullptr}, {"degrees", nullptr}, {"mirrored", true}};
   const std::array<double, 4> q = turnOf(r);
   const double size = detail::hypotenuse(q[0], q[1], q[2]);
   OrderedJson axis;
   if (size > 0) axis = {q[0] / size, q[1] / size, q[2] / size};
   errors = {{"quaternion", turnError(r) / 2}, {"degrees", turnError(r) * kDegrees}};
   if (size > 0) errors["axis"] = std::min(turnError(r) / 2 / size, 2.0);
-  return {{"quaternion", q},
+  for (const char* each : {"right", "down", "forward"}) errors[each] = r.axesError;
+  return {{"right", asJson(r.rows[0])},
+          {"down", asJson(r.rows[1])},
+          {"forward", asJson(r.rows[2])},
+          {"quaternion", q},
           {"axis", axis},
           {"degrees", 2 * std::atan2(size, q[3]) * kDegrees},
-          {"mirrored", r.isMirrored}};
+          {"mirrored", false}};
 }
 
 OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
@@ -129,6 +134,14 @@ OrderedJson readingJson(const Reading& r, bool isInMemoryOrder) {
       result["presets"].push_back(preset.name);
     else
       result["presetsOtherwise"].push_back({{"name", preset.name}, {"differs", differs}});
+  }
+  if (result["presets"].empty()) {
+    OrderedJson others = OrderedJson::array();
+    for (const ConventionPreset& preset : conventionPresets())
+      if (fitsButVectors(r, preset) && differences(r, preset.convention).empty())
+        others.push_back({{"name", preset.name}, {"differs", OrderedJson::array({"vectors"})}});
+    for (const OrderedJson& other : result["presetsOtherwise"]) others.push_back(other);
+    result["presetsOtherwise"] = others;
   }
   if (camera.pose) {
     if (!(camera.lens && camera.lens->orthographic))
@@ -193,7 +206,10 @@ std::vector<std::string> notesOn(const Reading& r, const PastedMatrix& m) {
   if (r.scaledBy != 1)
     notes.push_back("Its axes have the length " + formatDigits(r.scaledBy, 6) +
                     ", not 1: it scales too, as an object's does.");
-  if (r.isMirrored) notes.emplace_back("It is mirrored: one axis is flipped.");
+  if (r.isMirrored && r.kind != ReadingKind::rotation) notes.emplace_back("It is mirrored: one axis is flipped.");
+  if (r.kind == ReadingKind::rotation && !r.isMirrored)
+    notes.emplace_back(
+        "Its axes are those of a camera of OpenCV. Of OpenGL's the second is up and the third back: -down, -forward.");
   if (r.kind == ReadingKind::k || r.kind == ReadingKind::p)
     notes.emplace_back(
         r.pixels->fx < kFewestPixels ? "It is not in pixels, but in half widths or in pictures."
@@ -319,8 +335,18 @@ std::string presetText(const OrderedJson& reading) {
   return names.empty() ? "no preset" : joined(names);
 }
 
+/// What of the numbers a layout says.
+std::string numbersText(const OrderedJson& reading) {
+  const auto layout = reading["layout"].get<std::string>();
+  const bool isTransposed = layout == nameOf(kLayoutNames, MatrixLayout::transposed);
+  if (reading["kind"] == "rotation" && !reading["mirrored"].get<bool>())
+    return layout + (isTransposed ? ": from the camera to the world" : ": from the world to the camera");
+  return layout + (isTransposed ? ": each column is printed as a row, as column-major memory or row vectors" : "");
+}
+
 OrderedJson readingPage(const OrderedJson& reading) {
-  OrderedJson page{{"kind", reading["kind"]}, {"numbers", reading["layout"]}};
+  OrderedJson page{{"kind", reading["kind"]}, {"numbers", numbersText(reading)}};
+  if (reading.value("mirrored", false)) page["determinant"] = "-1: a reflection, no rotation";
   const OrderedJson errors = reading.value("errors", OrderedJson::object());
   page.update(reading["convention"]);
   if (!reading["convention"].empty()) page["presets"] = presetText(reading);
@@ -336,14 +362,18 @@ OrderedJson readingPage(const OrderedJson& reading) {
 /// What differs from one reading to the next, on a line.
 OrderedJson readingLine(std::size_t number, const OrderedJson& reading) {
   const OrderedJson page = readingPage(reading);
-  OrderedJson line{{"#", number}, {"kind", page["kind"]}, {"numbers", page["numbers"]}};
+  OrderedJson line{{"#", number}, {"kind", page["kind"]}, {"numbers", reading["layout"]}};
   for (const char* axis : {"world", "view", "ndcZ", "ndcY"}) line[axis] = page.value(axis, OrderedJson("-"));
-  std::vector<std::string> facts;
-  for (const char* fact : {"eye", "near", "far", "fx", "degrees"})
+  std::vector<std::string> facts, names{"eye", "near", "far", "fx", "determinant"};
+  if (page["kind"] == "rotation") names = {"determinant", "right", "down", "forward"};
+  for (const std::string& fact : names)
     if (page.contains(fact)) {
       const OrderedJson& value = page[fact];
-      facts.push_back(std::string(fact) + " " +
-                      (value.is_string() ? value.get<std::string>() : formatDigits(value.get<double>(), 6)));
+      std::vector<std::string> numbers;
+      if (!value.is_string())
+        for (const OrderedJson& each : value.is_array() ? value : OrderedJson{value})
+          numbers.push_back(formatDigits(each.get<double>(), 6));
+      facts.push_back(fact + " " + (value.is_string() ? value.get<std::string>() : joined(numbers)));
     }
   line["what"] = joined(facts, "; ");
   line["presets"] = page.value("presets", OrderedJson("-"));
@@ -396,6 +426,9 @@ std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& s
       std::erase_if(readings, [&](const Reading& r) {
         return std::find(question.which.begin(), question.which.end(), r.kind) == question.which.end();
       });
+    if (!readings.empty() && question.readAs && !question.isQuiet &&
+        !fits(readings.front(), *question.readAs, m.pasted.isInMemoryOrder))
+      note(source + ": line " + std::to_string(m.pasted.line) + ": only its transpose is as --read-as states");
     if (readings.empty())
       m.found.fault =
           std::string("none of its readings is as ") + (question.readAs ? "--read-as" : "--which") + " states";
