@@ -99,7 +99,7 @@ enum Types : std::uint8_t {
   kMatrix = 32,
   kScreen = 64
 };
-inline constexpr std::uint8_t kAllTypes = 127, kWithNear = 95;
+inline constexpr std::uint8_t kAllTypes = 127;
 inline constexpr NameRow<std::uint8_t> kTypeNames[] = {{"perspective", kPerspective},
                                                        {"frustum", kFrustum},
                                                        {"intrinsics", kIntrinsics},
@@ -216,8 +216,8 @@ inline constexpr Field kFields[] = {
     lensField("projection.bottomLeft", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
     lensField("projection.bottomRight", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
     lensField("projection.topLeft", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
-    lensField("projection.near", Kind::number, kWithNear, 0, "--near", "Near plane. Absent: none, and no depth.", true),
-    lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite.", true),
+    lensField("projection.near", Kind::number, kAllTypes, 0, "--near", "Near plane. Absent: none, and no depth.", true),
+    lensField("projection.far", Kind::far, kAllTypes, 0, "--far", "Far plane. Absent: infinite.", true),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",
               "Moves the picture right, up; 1 is half its size."),
     {"distortion", Kind::lens, "{model, its numbers}: brown, fisheye, unified, ...", "--distortion"},

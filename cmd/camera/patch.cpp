@@ -176,7 +176,7 @@ void applyType(const Document& document, std::span<const Patch> patches) {
     const std::uint8_t types = typesOf(patch);
     possible &= types;
     isNamed = isNamed || (patch.path.starts_with("projection.") && !patch.value->is_null());
-    decides = decides || (types != kWithNear && types != kAllTypes);
+    decides = decides || types != kAllTypes;
   }
   const Json *const current = valueAt(root, kType), *const projection = valueAt(root, "projection");
   if (projection && !projection->is_object()) return;  // readValues() reports this

@@ -305,9 +305,21 @@ void putRotation(Json& root, const PlainPose& pose, Handedness world) {
   root["cameraAxes"] = nameOf(kCameraAxesNames, axes);
 }
 
+Mat4 clipFromView(const Projection& p, const Convention& convention) {
+  const auto matrixOf = [&](const Projection& each) {
+    return matrix(cameraIn(convention, {}, each), Space::clip, Space::view);
+  };
+  if (hasDepth(p)) return matrixOf(p);
+  Mat4 rows = matrixOf(perspectiveWindow(p.left(), p.right(), p.bottom(), p.top(), 1, kInfiniteFar));
+  rows[2] = {};
+  return rows;
+}
+
 void putMatrix(Json& root, const Projection& projection, const Convention& convention) {
-  root["projection"]["matrix"] =
-      laidOut(matrix(cameraIn(convention, {}, projection), Space::clip, Space::view), convention).m;
+  root["projection"]["matrix"] = laidOut(clipFromView(projection, convention), convention).m;
+  if (!hasDepth(projection)) return;
+  root["projection"].erase("near");
+  root["projection"].erase("far");
 }
 
 Document withoutScreen(const CameraFile& camera) {

@@ -81,7 +81,9 @@ Projection frameProjection(const CameraFile& camera, const Intrinsics& ofTile, d
 void orient(Json& root, FieldId field, Json value);
 /// Orients the camera by a rotation.
 void putRotation(Json& root, const PlainPose& pose, Handedness world);
-/// Sets projection.matrix, as the convention writes it.
+/// For column vectors. Without near its z row is 0 0 0 0.
+Mat4 clipFromView(const Projection& projection, const Convention& convention);
+/// Sets projection.matrix, as the convention writes it; near and far are in it.
 void putMatrix(Json& root, const Projection& projection, const Convention& convention);
 
 }  // namespace viewproj::cmd

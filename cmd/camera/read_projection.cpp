@@ -275,7 +275,14 @@ Projection readProjectionMatrix(const FieldValues& values, const DocumentConvent
   if (found.cameras.empty()) value.fail("is not a projection matrix of this convention: " + found.fault);
   const MatrixLens& lens = *found.cameras.front().lens;
   if (!lens.projection) value.fail("does not determine near and far");
-  return *lens.projection;
+  const Projection& p = *lens.projection;
+  double near = 0, far = kInfiniteFar;
+  read(values, "projection.near", near);
+  read(values, "projection.far", far);
+  for (const FieldId field : {FieldId("projection.near"), FieldId("projection.far")})
+    if (values.has(field) && (p.isOrthographic() || p.zNear() > 0))
+      values.fail(field, "follows from the matrix; leave it out");
+  return near > 0 ? perspectiveWindow(p.left(), p.right(), p.bottom(), p.top(), near, far) : p;
 }
 
 bool hasShape(const Viewport& viewport, double aspect) {

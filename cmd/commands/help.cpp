@@ -151,7 +151,7 @@ std::string listOf(const std::string& list) {
   // Fields of a type of projection, or of several whose first it is.
   const std::uint8_t type = of == "all" ? 0 : valueOf(kTypeNames, of);
   return fieldRows([type](const Field& field) {
-    if (field.types == kAllTypes || field.types == kWithNear) return type == 0;
+    if (field.types == kAllTypes) return type == 0;
     return type != 0 && (field.types & -field.types) == type;
   });
 }

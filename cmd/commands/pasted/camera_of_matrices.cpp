@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "camera/plain_camera.hpp"
 #include "formats/finder/finder.hpp"
 #include "formats/open.hpp"
 #include "formats/value.hpp"
@@ -126,17 +127,13 @@ OrderedJson cameraOfReading(const Reading& reading, const Convention& stated, bo
   Convention axes = c;
   axes.view = c.world == Handedness::left ? ViewAxes::RUF : ViewAxes::RUB;
   const Projection p =
-      hasDepth ? *lens.projection : perspectiveWindow(lens.left, lens.right, lens.bottom, lens.top, 1, kInfiniteFar);
-  const auto matrixIn = [&](const Convention& in, Space to, Space from) {
-    return viewproj::matrix(makeCamera(*reading.camera->pose, p, {1, 1}, in), to, from);
-  };
+      hasDepth ? *lens.projection : perspectiveWindow(lens.left, lens.right, lens.bottom, lens.top, 0, kInfiniteFar);
   OrderedJson camera{{"convention", convention},
                      {"cameraAxes", nameOf(kViewNames, axes.view)},
-                     {"worldFromCamera", asJson(matrixIn(axes, Space::world, Space::view))}};
+                     {"worldFromCamera", asJson(viewproj::matrix(makeCamera(*reading.camera->pose, p, {1, 1}, axes),
+                                                                 Space::world, Space::view))}};
   if (!hasDepth) {
-    Mat4 rows = matrixIn(c, Space::clip, Space::view);
-    rows[2] = {};
-    camera["projection"] = {{"type", "matrix"}, {"matrix", asJson(rows)}};
+    camera["projection"] = {{"type", "matrix"}, {"matrix", asJson(clipFromView(p, c))}};
     return camera;
   }
   const double scale = p.isOrthographic() ? 1 : p.zNear();
