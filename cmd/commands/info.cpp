@@ -25,6 +25,7 @@
 #include "output/results.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
@@ -312,7 +313,8 @@ int writeProposal(const InfoOptions& o, const Proposal& proposal) {
 /// options: those that make a camera of the file.
 void writeCommand(const InfoOptions& o, const std::string& options) {
   if (o.report.form() == ReportForm::table && !options.empty())
-    writeOutput("\nas a camera:\nviewproj project --point X,Y,Z -c " + o.camera.file().value_or("-") + options + "\n");
+    writeOutput("\nas a camera:\nviewproj project --point X,Y,Z -c " + inShell(o.camera.file().value_or("-")) +
+                options + "\n");
 }
 
 /// What the matrices of a text can be. otherwise: the message where there are none. Matrix by matrix, since the

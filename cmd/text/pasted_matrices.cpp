@@ -36,13 +36,11 @@ bool hasWord(std::string_view line) {
                             [&](char a, char b) { return isWordLetter(a) && isWordLetter(b); }) != line.end();
 }
 
-/// A line without the prompt or the level of a log in front, and without a command that prints: T_cam of "(gdb) p
-/// T_cam",
-/// "[INFO] T_cam" and "print(T_cam)". isPrinted: it is but a name behind a prompt or a command.
 struct PlainLine {
   std::string_view text;
-  bool isPrinted = false;
+  bool isPrinted = false;  ///< a name alone, behind a prompt or a command
 };
+/// "(gdb) p T_cam", "[INFO] T_cam" and "print(T_cam)" without the prompt, the level of a log and the command.
 PlainLine withoutCommand(std::string_view line) {
   static const std::regex front(
       R"(^(?:(\((?:gdb|lldb|pdb)\)|>{1,3}|In \[\d+\]:)|\[?(?:info|debug|trace|warn|warning|error)\b\]?:?)\s+)",

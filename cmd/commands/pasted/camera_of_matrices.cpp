@@ -257,6 +257,7 @@ std::string_view presetOf(const KnownMatrices& known) {
 
 std::string sizeBeside(const std::string& text, const Reading& reading) {
   if (reading.pixels) return sizeIn(text, Vec2{reading.pixels->cx, reading.pixels->cy}, 0);
+  if (!reading.camera || !reading.camera->lens) return "WIDTHxHEIGHT";
   const MatrixLens& lens = *reading.camera->lens;
   return sizeIn(text, {}, (lens.right - lens.left) / (lens.top - lens.bottom));
 }
@@ -275,11 +276,15 @@ std::string optionsOf(const std::vector<ReadMatrix>& matrices, const std::string
   if (!preset.empty()) return " --read-as " + preset + viewport;
   if (isTree) return "";
   const bool isWhole = matrices.size() == (stand ? 2 : 1);
-  if (calibration) return isWhole && holdsNoOther(findMatrices(text)) ? viewport : "";
+  if (calibration)
+    return isWhole && calibration->pasted.numbers.size() <= 12 && holdsNoOther(findMatrices(text)) ? viewport : "";
   const ReadMatrix* const alone = stand ? stand : product;
   if (!alone || matrices.size() > 1) return "";
   std::vector<Reading> readings = alone->found.readings;
-  prefer(readings, [kind = readings.front().kind](const Reading& r) { return r.kind == kind; });
+  const ReadingKind kind = product                         ? ReadingKind::viewProjection
+                           : known.only(ReadingKind::view) ? ReadingKind::view
+                                                           : ReadingKind::pose;
+  prefer(readings, [&](const Reading& r) { return r.kind == kind; });
   preset = presetsOf(readings, alone->pasted.isInMemoryOrder).front();
   return " --read-as " + preset + (stand ? fovIn(text) : "") + viewport;
 }
