@@ -47,9 +47,10 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what, const cha
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
   addValue(app, "--width", "N", width_, wholeNumber(1, kMostFields),
            "Numbers of f32 or f64 (3; of 4: --columns 1,2,3)");
-  addValue(app, "--columns", "COLUMNS", columns_, readText,
-           "Columns of CSV, fields of JSON (a.x: inside of a) or numbers of a line that hold the coordinates: in order, "
-           "as in E,N,U or 2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
+  addValue(
+      app, "--columns", "COLUMNS", columns_, readText,
+      "Columns of CSV, fields of JSON (a.x: inside of a) or numbers of a line that hold the coordinates: in order, "
+      "as in E,N,U or 2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
   addValue(app, "--delimiter", "CHAR", delimiter_, readDelimiter,
            "Separator of CSV, in and out: comma, semicolon, tab or a character (default: by the header)");
   addFlag(app, "--keep-going", keepGoing_, keepGoing);

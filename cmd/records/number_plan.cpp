@@ -87,9 +87,9 @@ std::string_view memberOf(const RecordView& record, const NumberField& field, st
                           std::string_view name) {
   std::string_view found;
   const bool isList = value.starts_with('[');
-  std::size_t count = 0;
   if (isList || value.starts_with('{')) {
     JsonParts parts(value);
+    std::size_t count = 0;
     for (auto part = parts.next(); part; part = parts.next(), ++count) {
       if (isList ? std::to_string(count) != name : !isKey(part->key, name)) continue;
       if (!found.empty()) throw errorAt(record, field, value, "has " + std::string(name) + " twice");
