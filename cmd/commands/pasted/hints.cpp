@@ -1,12 +1,12 @@
 // What a name, or the lines in front of a matrix, say of its kind.
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "commands/pasted/readings.hpp"
+#include "formats/words.hpp"
 #include "text/number.hpp"
 #include "text/pasted_parts.hpp"
 
@@ -210,37 +210,44 @@ KindHint hintOf(const PastedMatrix& m) {
 }
 
 std::string fovIn(const std::string& text) {
-  static const std::regex fov(R"((h)?(?:fov|field_?\s?of_?\s?view)(?:_?(x)|_?y)?[^\w\n]*\n?[^\w\n]*(\d+(?:\.\d+)?))",
-                              std::regex::icase);
-  std::smatch found;
-  const std::string front = text.substr(0, kMostText);
-  if (!std::regex_search(front, found, fov)) return " --fov-y DEGREES";
-  const double degrees = std::stod(found[3]);
-  const bool isAcross = found[1].matched || found[2].matched;
-  return degrees >= kNarrowFov && degrees < 180 ? (isAcross ? " --fov-x " : " --fov-y ") + formatNumber(degrees)
-                                                : " --fov-y DEGREES";
+  const std::string front = lowered(std::string_view(text).substr(0, kMostText));
+  constexpr std::string_view kDigits = "0123456789";
+  for (const std::string_view name : {"fov", "field of view", "fieldofview", "field_of_view"}) {
+    const std::size_t at = front.find(name);
+    if (at == front.npos) continue;
+    std::string_view rest = std::string_view(front).substr(at + name.size());
+    const bool isAcross = (at > 0 && front[at - 1] == 'h') || rest.starts_with("x") || rest.starts_with("_x");
+    constexpr std::size_t kFar = 24;  // marks and words between, on this line or the next
+    const std::size_t first = rest.find_first_of(kDigits);
+    if (first > kFar) continue;
+    rest.remove_prefix(first);
+    const auto degrees = parseNumber(rest.substr(0, rest.find_first_not_of("0123456789.")));
+    if (degrees && *degrees >= kNarrowFov && *degrees < 180)
+      return (isAcross ? " --fov-x " : " --fov-y ") + formatNumber(*degrees);
+  }
+  return " --fov-y DEGREES";
 }
 
 std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect) {
-  static const std::regex pair(R"((\d{2,5})(?:\.0*)?(?:\s*[x*,;]\s*|\s+)(?=(\d{2,5})(?:\.0*)?(?![\w.])))");
-  constexpr double kMiddle = 0.2, kSquare = 2e-3;
+  constexpr double kMiddle = 0.2, kSquare = 2e-3, kLeast = 16, kMost = 65535;
   const auto fits = [&](double width, double height) {
     if (middle)
       return std::fabs(2 * middle->x - width) < kMiddle * width && std::fabs(2 * middle->y - height) < kMiddle * height;
     return std::min(width, height) >= 100 && std::fabs(width / height - aspect) < kSquare * aspect;
   };
+  // Two whole numbers in a row, "1920x1080" among them.
   std::set<std::pair<double, double>> sizes;
-  const std::string front = text.substr(0, kMostText);
-  for (std::sregex_iterator each(front.begin(), front.end(), pair), end; each != end; ++each) {
-    const auto at = static_cast<std::size_t>(each->position());
-    if (at > 0 && (isLetter(front[at - 1]) || isDigit(front[at - 1]) || pasted::isAmong(front[at - 1], "._-+")))
-      continue;
-    const double a = std::stod((*each)[1]), b = std::stod((*each)[2]);
-    if (fits(a, b))
-      sizes.emplace(a, b);
-    else if (fits(b, a))
-      sizes.emplace(b, a);
-  }
+  double before = 0;
+  for (const std::string_view word : partsOf(std::string_view(text).substr(0, kMostText), " \t\r\n,;*()[]{}:=<>|\"'"))
+    for (const std::string_view part : isDigit(word.front()) ? partsOf(word, "x") : std::vector{word}) {
+      const double number = parseNumber(part).value_or(0);
+      const bool isSide = number == std::floor(number) && number >= kLeast && number <= kMost;
+      if (isSide && fits(before, number))
+        sizes.emplace(before, number);
+      else if (isSide && fits(number, before))
+        sizes.emplace(number, before);
+      before = isSide ? number : 0;
+    }
   return sizes.size() == 1 ? formatNumber(sizes.begin()->first) + "x" + formatNumber(sizes.begin()->second)
                            : "WIDTHxHEIGHT";
 }
