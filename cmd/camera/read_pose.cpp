@@ -53,7 +53,7 @@ struct PoseReader {
     values.fail(field, "makes the world " + handed(pose.world()) + " with cameraAxes " +
                            std::string(nameOf(kCameraAxesNames, axes)) + ", and the convention's is " + handed(hand) +
                            "; cameraAxes " + (worldOfAxes(axes) == Handedness::left ? "RUB or RDF" : "RUF or FRU") +
-                           " would fit");
+                           " would fit, or --set convention.world=" + std::string(nameOf(kWorldNames, pose.world())));
   }
 
   Pose turned(const Position& position) const {

@@ -129,7 +129,10 @@ Import importParts(const Node& root, const std::string& line, bool hasPose) {
       hasPose || std::any_of(parts.begin(), parts.end(), [](const Part& part) {
         return isAmong(part.name, "P position latLonHeight heading") || part.name.find("From") != std::string::npos;
       });
-  Import result{camerasOfParts(root, std::move(parts), {}, "")};
+  // Programs that tell a lens by an angle count pixels from corners.
+  const bool isOfPixels =
+      std::any_of(parts.begin(), parts.end(), [](const Part& part) { return isAmong(part.name, "K P"); });
+  Import result{camerasOfParts(root, std::move(parts), {isOfPixels ? 0 : 0.5}, "")};
   const Proposal proposal = takesPose ? Proposal{} : proposeParts(root.document());
   for (const ProposedLine& proposed : proposal.lines)
     if (!proposed.pose.empty() && !result.unread)

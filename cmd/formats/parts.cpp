@@ -23,7 +23,7 @@ constexpr std::pair<std::string_view, std::string_view> kLensParts[] = {
 constexpr std::string_view kNames =
     "K P fovY fovX focalLength sensorWidth sensorHeight size distortion fisheye omni doubleSphere unified fov "
     "cameraFromWorld "
-    "worldFromCamera position latLonHeight target direction up euler heading name";
+    "worldFromCamera position latLonHeight target direction up euler heading pitch roll name";
 constexpr std::string_view kNamesOfRows = "lens model isFisheye xi rectified near far aspect id",
                            kTexts = "name model isFisheye id";
 constexpr std::string_view kPoseParts = "cameraFromWorld worldFromCamera",
@@ -274,6 +274,11 @@ bool readPose(const Parts& parts, Json& camera) {
     const std::vector<double>& turns = parts.numbers("heading", {1, 2, 3});
     for (std::size_t i = 0; i < turns.size(); ++i) camera[kHeadingTurns[i]] = turns[i];
     if (!parts.has("latLonHeight")) camera["world"] = "enu";
+  }
+  for (const char* field : {"pitch", "roll"}) {
+    if (!parts.has(field)) continue;
+    if (camera.contains(field)) parts.fail(field, "heading has it too; leave one of them out");
+    camera[field] = parts.number(field);
   }
   for (const char* field : {"direction", "target"})
     if (parts.has(field) && !parts.has("up"))

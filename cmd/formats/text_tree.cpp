@@ -191,6 +191,7 @@ class TextReader {
     };
     constexpr std::string_view kMarks = " \t=:,;[{(<>)}]|";
     constexpr std::ptrdiff_t kPairs = 3;
+    const bool hasAxes = text.find(" Y ") != text.npos && text.find(" Z ") != text.npos;
     const bool hasPairs = std::count(text.begin(), text.end(), '=') >= kPairs;
     const bool hasAngles = text.find('>') != std::string_view::npos;  // << alone is no bracket
     for (std::size_t at = 0; at < text.size();) {
@@ -234,9 +235,10 @@ class TextReader {
       } else {
         if (isAssigned) heading = std::exchange(name, "");
         isAssigned = false;
-        // cam1 fx=1 fy=2 cx=3
+        // "cam1 fx=1 fy=2 cx=3" and "Position X 1 Y 2 Z 3"
         const bool isFirst = found.empty() && texts.empty() && levels.size() == 1 && levels.back().heading.empty();
-        if (isFirst && hasPairs && at < text.size() && text[at] == '=') levels.back().heading = std::exchange(name, "");
+        const bool isOfSeveral = hasAxes ? sameButForCase(word, "x") : hasPairs && text.substr(at).starts_with('=');
+        if (isFirst && isOfSeveral) levels.back().heading = std::exchange(name, "");
         name.append(name.empty() ? "" : "_").append(stripped(word, "\"'"));
       }
     }

@@ -43,7 +43,13 @@ bool appendOrdered(const Json& object, std::vector<double>& numbers) {
   return false;
 }
 
+/// 1920x1080 is two numbers.
 bool appendText(std::string_view text, std::vector<double>& numbers) {
+  if (const std::size_t by = text.find('x'); by != text.npos) {
+    const auto width = parseNumber(trimmed(text.substr(0, by))), height = parseNumber(trimmed(text.substr(by + 1)));
+    if (width && height) numbers.insert(numbers.end(), {*width, *height});
+    return width && height;
+  }
   const std::vector<std::string_view> parts = partsOf(text, " \t\r\n,;[]()");
   for (const std::string_view part : parts) {
     const auto number = parseNumber(part);

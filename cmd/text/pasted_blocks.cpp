@@ -242,7 +242,7 @@ class BlockFinder {
     if (why.empty()) why = std::to_string(count) + " numbers are no matrix, which has 9, 12 or 16";
     const bool isNamed = first.keyLine == first.line || first.keyLine + 1 == first.line;
     const std::string_view name = !first.label.empty() ? first.label : isNamed ? first.key : "";
-    found.passedOver.push_back({first.line, count, std::string(name), std::move(why)});
+    found.passedOver.push_back({first.line, count, std::string(name), std::move(why), first.bracket != 0});
   }
 
   void keep(Block block, std::size_t inside) {

@@ -31,8 +31,9 @@ struct PastedMatrix {
 /// Numbers that are no matrix.
 struct PassedOver {
   std::size_t line = 0, numbers = 0;
-  std::string name;  ///< what stands right in front of them: t, tvec
-  std::string why;   ///< "5 rows of 4 numbers are no matrix; put an empty line between two matrices"
+  std::string name;     ///< what stands right in front of them: t, tvec
+  std::string why;      ///< "5 rows of 4 numbers are no matrix; put an empty line between two matrices"
+  bool isList = false;  ///< in brackets
 };
 
 struct PastedMatrices {

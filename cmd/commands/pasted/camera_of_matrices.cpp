@@ -59,10 +59,10 @@ std::vector<std::string> othersIn(const Document& file, const std::vector<Pasted
   return pathsOfOthers(file, known);
 }
 
-/// Whether the text has no other named numbers, which may be a distortion or a place.
+/// Whether the text has no other numbers with a name or in a list, which may be a distortion or a place.
 bool holdsNoOther(const PastedMatrices& pasted) {
   return std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(),
-                     [](const PassedOver& over) { return over.name.empty(); });
+                     [](const PassedOver& over) { return over.name.empty() && !(over.isList && over.numbers > 2); });
 }
 
 /// Whether a preset has its world, range of depth and NDC y.

@@ -40,7 +40,6 @@ std::vector<LineDraft> linesOf(const Document& file, const Candidates& all, cons
     askAboutOthers(line, file);
     putSize(line, all, boxes);
     const std::string name = line.parts.front().first;
-    if (name.starts_with("fov")) line.set = {"viewport.pixelCenter=0.5"};  // as programs with such lenses count
     if (name == "P" && line.first->path().ends_with("^T")) {
       line.set = {"viewport.pixelCenter=1"};
       line.ask.push_back(line.first->path() + ": by columns, as MATLAB's cameraMatrix, whose pixels count from 1");

@@ -112,7 +112,9 @@ void putPose(LineDraft& line, const Match& match, const Candidate* lens) {
       line.turnOfNoOrder = turn->path();
       line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
     }
-    line.add(direction + "." + form, {turn}, match.score / 2);
+    const bool isByColumns = lens && lens->suffix == "^T" && turn->kind == "R" && turn->terms.empty();
+    line.add(direction + "." + form, {turn}, match.score / 2, isByColumns ? "^T" : "");
+    if (isByColumns) line.ask.push_back(turn->path() + "^T: by columns, as K is; without ^T if it is by rows");
     line.add(place->kind == "T" && !areAxes ? direction + ".translation" : "position", {place}, match.score / 2);
   } else {
     line.add(direction, {turn}, match.score);
