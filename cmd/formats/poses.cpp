@@ -176,8 +176,8 @@ std::optional<Json> printedRotation(std::string_view text) {
   const PastedMatrices pasted = findMatrices(text);
   std::size_t others = 0;
   for (const PassedOver& over : pasted.passedOver) others += over.numbers;
-  constexpr std::size_t kPlace = 3;
-  if (pasted.matrices.size() != 1 || pasted.matrices.front().numbers.size() != 9 || others >= kPlace)
+  constexpr std::size_t kCoordinates = 3;
+  if (pasted.matrices.size() != 1 || pasted.matrices.front().numbers.size() != 9 || others >= kCoordinates)
     return std::nullopt;
   const PastedMatrix& m = pasted.matrices.front();
   Json rows = Json::array();
