@@ -327,6 +327,9 @@ Document CameraSet::document(std::size_t which) const {
   normalize(document);
   if (patches_.resize) resizePicture(document, *patches_.resize);
   applyPatches(document, patches_.patches);
+  if (patches_.otherwise && !valueAt(*document.root, "viewport.width") && !valueAt(*document.root, "projection.pixels"))
+    (*document.root)["viewport"].update(
+        {{"width", patches_.otherwise->front()}, {"height", patches_.otherwise->back()}});
   return document;
 }
 

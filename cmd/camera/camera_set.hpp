@@ -99,9 +99,10 @@ CameraSource splitPick(const std::string& source);
 
 /// What applies to every camera of a set.
 struct CameraPatches {
-  std::string readAs;              ///< the name of a preset; empty: the file's convention
-  std::vector<Patch> patches;      ///< of options and --set, in any order
-  std::optional<double> resize{};  ///< of the file's picture, before the patches
+  std::string readAs;                                ///< the name of a preset; empty: the file's convention
+  std::vector<Patch> patches;                        ///< of options and --set, in any order
+  std::optional<double> resize{};                    ///< of the file's picture, before the patches
+  std::optional<std::array<double, 2>> otherwise{};  ///< the viewport of a camera that no file or patch gives one
 };
 
 /// Whether a document is a camera, or a set of cameras, in our own form: it has one of our members at the top (but

@@ -228,10 +228,10 @@ inline constexpr Field kFields[] = {
     {"viewport.depthRange", Kind::range, "Depth at near, far; reverseZ swaps. Default: 0, 1."},
     wordField("viewport.origin", wordsOf<kOriginNames>, "Default: top-left."),
     {"viewport.pixelCenter", Kind::number, "0.5, as COLMAP, NeRF; opencv 0: ROS, KITTI, Kalibr."},
-    {"viewport.crop.x", Kind::number, "A tile of the picture, in pixels."},
-    {"viewport.crop.y", Kind::number, "A tile of the picture, in pixels."},
-    {"viewport.crop.width", Kind::positive, "A tile of the picture, in pixels."},
-    {"viewport.crop.height", Kind::positive, "A tile of the picture, in pixels."},
+    {"viewport.crop.x", Kind::number, "A tile of the viewport, in its pixels."},
+    {"viewport.crop.y", Kind::number, "A tile of the viewport, in its pixels."},
+    {"viewport.crop.width", Kind::positive, "A tile of the viewport, in its pixels."},
+    {"viewport.crop.height", Kind::positive, "A tile of the viewport, in its pixels."},
 };
 
 /// The row with a path, or null.

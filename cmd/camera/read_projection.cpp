@@ -224,9 +224,8 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
     constexpr double kLeast = 1e-6;
     if (const auto& c = picture->crop; c && !(c->x >= -kLeast && c->x + c->width <= v.width + kLeast &&
                                               c->y >= -kLeast && c->y + c->height <= v.height + kLeast))
-      values.fail("viewport.crop.width",
-                  "reaches out of the picture of " + formatNumber(v.width) + "x" + formatNumber(v.height) +
-                      ", in whose pixels it is; crop by convert first, and scale what it writes");
+      values.fail("viewport.crop.width", "reaches out of the picture of " + formatNumber(v.width) + "x" +
+                                             formatNumber(v.height) + ", the viewport's, in whose pixels it is");
   }
   if (typeOf(values) == kPs2) placePs2(values, convention, picture);
   return picture;

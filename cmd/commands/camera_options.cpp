@@ -135,7 +135,7 @@ std::optional<std::string> CameraOptions::file(bool mayLack) const {
 }
 
 CameraPatches CameraOptions::patches(bool isTyped) const {
-  CameraPatches all{readAs_.value_or(""), patches_, resize_};
+  CameraPatches all{readAs_.value_or(""), patches_, resize_, otherwise_};
   if (isTyped && resize_) throw UsageError("--viewport: a part of a picture needs a file's; expected WIDTHxHEIGHT");
   // Options are read as they are written; but a place makes the world right-handed.
   const bool hasPlace = std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) {

@@ -40,6 +40,8 @@ class CameraOptions {
   void takeAll() { takesAll_ = true; }
   /// For a command that moves the camera: options without a position are enough.
   void takeAnyPosition() { takesAnyPosition_ = true; }
+  /// The viewport of a camera that has none.
+  void assumeViewport(double width, double height) { otherwise_ = {width, height}; }
   /// For a command that asks for rays of pixels alone: see ReadOptions.
   void readForRays() { readsForRays_ = true; }
 
@@ -90,6 +92,7 @@ class CameraOptions {
   std::vector<std::string> cameras_, worldFromCamera_, cameraFromWorld_;
   std::optional<Size> viewport_;
   std::optional<double> resize_;  ///< of the picture of a file
+  std::optional<std::array<double, 2>> otherwise_;
   std::optional<ConventionPreset> convention_;
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;

@@ -241,7 +241,10 @@ int runDraw(const DrawOptions& o) {
   StreamSetup setup = o.stream.setup(kPointOrPairColumns);
   if (!setup.columns.given()) setup.csvDefaults = {"x", "y", "z", "u", "v"};
   const bool reads = o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
+  const std::optional<Photo> photo = o.photo ? std::optional(readPhoto(*o.photo)) : std::nullopt;
+  CameraOptions options = o.camera;
+  if (photo) options.assumeViewport(photo->width, photo->height);
+  const CameraFile file = options.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   PictureContent content{.title = titleOf(o, file),
                          .worldIsEcef = file.worldIsEcef,
@@ -250,7 +253,10 @@ int runDraw(const DrawOptions& o) {
                          .hasStems = o.hasStems};
   if (o.hasStems && std::none_of(content.shapes.begin(), content.shapes.end(), isGround))
     throw UsageError("--stems needs a ground: --height H, or a plane or an ellipsoid in --scene");
-  if (o.photo) content.photo = photoUrl(*o.photo, *file.viewport);
+  if (photo) {
+    requireSize(*photo, *file.viewport);
+    content.photo = photo->url;
+  }
   const int status = reads ? PictureRecords(o, file, content).read(setup) : 0;
   writeOutput(pictureOf(makeCamera(file), content));
   return status;

@@ -160,7 +160,11 @@ std::string filesNamedBy(const Document& file) {
 }
 
 [[noreturn]] void failUnknown(const Document& file) {
-  throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) +
+  std::string line;  // if it says all of a camera, and a pose of one direction
+  for (const ProposedLine& proposed : proposeParts(file).lines)
+    if (line.empty() && proposed.hasLens && !proposed.pose.empty() && !proposed.isEitherWay)
+      line = "; it may be read by " + optionsOf(proposed);
+  throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) + line +
                         "; viewproj info FILE tells what is in it, viewproj help formats lists the kinds",
                     file);
 }

@@ -46,7 +46,7 @@ std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patch
   Import result = Import::one(
       [camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] { return camera; });
   result.notes.emplace_back(kOpenCvNote);
-  result = atPoses(std::move(result), opening, name);
+  result = atPoses(std::move(result), opening, name, false);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }
 

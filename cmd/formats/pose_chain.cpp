@@ -109,6 +109,10 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
       file, {}, read.field, isOfCamera, isOfCamera && isOwn, read.poses.lacksAxes, pick.has_value(), read.poses.notes};
   for (const std::size_t i : CameraSet(file->name, read.poses, {}).chooseAll(pick))
     factor.cameras.push_back(read.poses.cameras[i]);
+  const auto standsAtOrigin = [](const CameraEntry& camera) { return !hasPose(camera.document()); };
+  if (isOfCamera && !isOwn && read.poses.mayLackPose &&
+      std::all_of(factor.cameras.begin(), factor.cameras.end(), standsAtOrigin))
+    throw InputError(file->name + ": holds no pose that is read; its camera stands at the origin");
   return factor;
 }
 
@@ -174,12 +178,12 @@ Json poseOf(const std::string& source) {
   return factor.isOfCamera ? poseIn(pose, *factor.file, pose, false, factor.field) : pose[factor.field];
 }
 
-Import atPoses(Import result, const Opening& opening, std::string& name) {
+Import atPoses(Import result, const Opening& opening, std::string& name, bool hasFile) {
   const auto factors = std::make_shared<std::vector<PoseFactor>>();
   const PoseFactor* several = nullptr;
   factors->reserve(opening.poses.size());
   for (const std::string& source : opening.poses) {
-    factors->push_back(factorOf(source, opening, name));
+    factors->push_back(factorOf(source, opening, hasFile ? name : ""));
     PoseFactor& factor = factors->back();
     if (factor.cameras.size() == 1) continue;
     factor.isOwn = factor.isOwn && factor.cameras.size() == result.cameras.size();

@@ -8,8 +8,8 @@
 namespace viewproj::cmd {
 
 /// Each camera at the pose, or one camera at each pose: in a folder of the name that picked it. name: of the cameras'
-/// file; several poses set it to their own.
-Import atPoses(Import cameras, const Opening& opening, std::string& name);
+/// file, or of the first poses' where options are the camera; several poses set it to their own.
+Import atPoses(Import cameras, const Opening& opening, std::string& name, bool hasFile = true);
 
 /// The one pose that a file or a text gives, as a field's value: what takes its coordinates to the world.
 Json poseOf(const std::string& source);

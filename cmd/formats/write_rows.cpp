@@ -123,6 +123,7 @@ std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::s
   for (const WrittenCamera& camera : cameras) {
     const std::string name = camera.name.empty() ? "camera" + (cameras.size() > 1 ? camera.number : "") : camera.name;
     const auto m = worldFromCamera(camera, CameraAxes::RDF);
+    const double z = std::fabs(m[11]) <= kRounding * std::hypot(m[3], m[7]) ? 0 : m[11];
     std::vector<double> c(5);
     if (camera.file.lens) c = coefficientsOf(*camera.file.lens);
     std::string text = "image_width: " + formatNumber(camera.width()) +
@@ -140,8 +141,8 @@ std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::s
     add("distortion_coefficients", 1, c);
     add("rectification_matrix", 3, std::array{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
     add("projection_matrix", 3,
-        std::array{straight.fx, 0.0, straight.cx, 0.0 - straight.fx * m[3], 0.0, straight.fy, straight.cy,
-                   0.0 - straight.fy * m[7], 0.0, 0.0, 1.0, 0.0});
+        std::array{straight.fx, 0.0, straight.cx, 0.0 - straight.fx * m[3] - straight.cx * z, 0.0, straight.fy,
+                   straight.cy, 0.0 - straight.fy * m[7] - straight.cy * z, 0.0, 0.0, 1.0, 0.0 - z});
     std::string file = name + ".yaml";
     std::replace(file.begin(), file.end(), '/', '_');
     if (std::any_of(files.begin(), files.end(), [&](const WrittenFile& other) { return other.name == file; }))

@@ -52,9 +52,6 @@ constexpr Writer kWriters[] = {
      writeTable},
 };
 
-/// Where rounding is all that differs.
-constexpr double kRounding = 1e-12;
-
 bool isWhole(double number) { return number == std::floor(number); }
 
 Place placeOf(LensModel model) {
@@ -90,7 +87,9 @@ class Places {
 
   bool looksAlongZ() const {
     const Mat4& m = camera_.worldFromCamera;
-    return m[0][0] > 0 && m[1][1] > 0 && m[2][2] > 0 && std::fabs(m[2][3]) <= kRounding * std::hypot(m[0][3], m[1][3]);
+    const bool isStraight = m[0][0] == 1 && m[1][1] == 1 && m[2][2] == 1;
+    return m[0][0] > 0 && m[1][1] > 0 && m[2][2] > 0 &&
+           (isStraight || std::fabs(m[2][3]) <= kRounding * std::hypot(m[0][3], m[1][3]));
   }
 
   void requirePicture() {

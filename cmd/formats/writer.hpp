@@ -17,6 +17,9 @@
 
 namespace viewproj::cmd {
 
+/// Where rounding is all that differs.
+inline constexpr double kRounding = 1e-12;
+
 /// The numbers of a camera that other programs' files can hold.
 struct WrittenCamera {
   /// name: in its file, or empty. number: among those that are written. Throws InputError for a left-handed world.
@@ -80,7 +83,7 @@ enum Place : std::uint32_t {
   kFovPlace = 1 << 23,
   kWholeOmniPlace = 1 << 24,   ///< k3 to k6 of it
   kYIsUp = 1 << 25,            ///< in its world, and no form says otherwise
-  kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0
+  kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0 where it is turned at all
   kEarthPlace = 1 << 27,       ///< latitudes and longitudes
   kFirstAtZero = 1 << 28,      ///< cx, cy count the centre of the first pixel as 0
   kFirstAtHalf = 1 << 29,      ///< or as 0.5

@@ -7,7 +7,7 @@
 namespace viewproj::cmd {
 namespace {
 
-struct Photo {
+struct Image {
   const char* type;
   std::size_t width, height;
 };
@@ -19,14 +19,14 @@ std::size_t numberAt(const std::string& bytes, std::size_t at, std::size_t count
 }
 
 /// The size is in the first chunk (PNG specification, 11.2.1).
-std::optional<Photo> readPng(const std::string& bytes) {
+std::optional<Image> readPng(const std::string& bytes) {
   constexpr std::size_t kWidth = 16, kHeight = 20, kEnd = 24;
   if (!bytes.starts_with("\x89PNG\r\n\x1A\n") || bytes.size() < kEnd) return std::nullopt;
-  return Photo{"image/png", numberAt(bytes, kWidth, 4), numberAt(bytes, kHeight, 4)};
+  return Image{"image/png", numberAt(bytes, kWidth, 4), numberAt(bytes, kHeight, 4)};
 }
 
 /// The size is in the segment that starts a frame: C0 to CF but for DHT, JPG and DAC (ITU T.81, table B.1).
-std::optional<Photo> readJpeg(const std::string& bytes) {
+std::optional<Image> readJpeg(const std::string& bytes) {
   if (!bytes.starts_with("\xFF\xD8\xFF")) return std::nullopt;
   for (std::size_t at = 2; at + 9 <= bytes.size();) {
     const std::size_t marker = numberAt(bytes, at, 2);
@@ -37,7 +37,7 @@ std::optional<Photo> readJpeg(const std::string& bytes) {
     }
     const bool isFrame =
         marker >= 0xFFC0 && marker <= 0xFFCF && marker != 0xFFC4 && marker != 0xFFC8 && marker != 0xFFCC;
-    if (isFrame) return Photo{"image/jpeg", numberAt(bytes, at + 7, 2), numberAt(bytes, at + 5, 2)};
+    if (isFrame) return Image{"image/jpeg", numberAt(bytes, at + 7, 2), numberAt(bytes, at + 5, 2)};
     at += 2 + numberAt(bytes, at + 2, 2);
   }
   return std::nullopt;
@@ -57,18 +57,21 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-std::string photoUrl(const std::string& file, const Viewport& viewport) {
+Photo readPhoto(const std::string& file) {
   constexpr std::size_t kMostBytes = 64 << 20;
   const std::string bytes = readWholeFile(file, kMostBytes);
-  std::optional<Photo> photo = readPng(bytes);
-  if (!photo) photo = readJpeg(bytes);
-  if (!photo) throw InputError(shownName(file) + ": expected a JPEG or PNG file");
+  std::optional<Image> image = readPng(bytes);
+  if (!image) image = readJpeg(bytes);
+  if (!image) throw InputError(shownName(file) + ": expected a JPEG or PNG file");
+  return {shownName(file), std::string("data:") + image->type + ";base64," + base64(bytes),
+          static_cast<double>(image->width), static_cast<double>(image->height)};
+}
+
+void requireSize(const Photo& photo, const Viewport& viewport) {
   const auto size = [](double width, double height) { return formatNumber(width) + " x " + formatNumber(height); };
-  const auto width = static_cast<double>(photo->width), height = static_cast<double>(photo->height);
-  if (width != viewport.width || height != viewport.height)
-    throw InputError(shownName(file) + ": has " + size(width, height) + " pixels, the camera " +
+  if (photo.width != viewport.width || photo.height != viewport.height)
+    throw InputError(photo.name + ": has " + size(photo.width, photo.height) + " pixels, the camera " +
                      size(viewport.width, viewport.height));
-  return std::string("data:") + photo->type + ";base64," + base64(bytes);
 }
 
 }  // namespace viewproj::cmd

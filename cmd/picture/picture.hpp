@@ -43,9 +43,14 @@ struct PictureContent {
   std::vector<std::string> notes = {};  ///< lines of the legend, such as what explains the misses of pairs
 };
 
-/// A JPEG or PNG file as a data URL. A picture in a page loads no other file. Throws InputError, also if the photo's
-/// size is not the viewport's: a stretched one would hide the mistake.
-std::string photoUrl(const std::string& file, const Viewport& viewport);
+/// A JPEG or PNG file. A picture in a page loads no other file: the URL holds its bytes. Throws InputError.
+struct Photo {
+  std::string name, url;
+  double width, height;
+};
+Photo readPhoto(const std::string& file);
+/// Throws InputError if its size is not the viewport's: a stretched one would hide the mistake.
+void requireSize(const Photo& photo, const Viewport& viewport);
 
 /// The same bytes for the same content.
 std::string pictureOf(const Camera& camera, const PictureContent& content);
