@@ -8,7 +8,8 @@
 //                unified alpha [beta]; fov omega
 //   cameraFromWorld, worldFromCamera 12 or 16, or their .rotation 9 or its first 6, .rotationVector 3,
 //                .quaternion x y z w, .quaternionWFirst, with .translation 3
-//   position, direction, target, up 3; latLonHeight; euler 3 degrees; heading [pitch [roll]], pitch, roll degrees; name a text
+//   position, direction, target, up 3; latLonHeight; euler 3 degrees; heading [pitch [roll]], pitch, roll degrees; name
+//   a text
 //
 // Of rows of formats alone:
 //

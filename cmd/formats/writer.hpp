@@ -83,7 +83,7 @@ enum Place : std::uint32_t {
   kFovPlace = 1 << 23,
   kWholeOmniPlace = 1 << 24,   ///< k3 to k6 of it
   kYIsUp = 1 << 25,            ///< in its world, and no form says otherwise
-  kStereoPosePlace = 1 << 26,  ///< of a camera before rectification: it looks along z, from the plane z = 0 where it is turned at all
+  kStereoPosePlace = 1 << 26,  ///< before rectification: it looks along z, from the plane z = 0 if it is turned
   kEarthPlace = 1 << 27,       ///< latitudes and longitudes
   kFirstAtZero = 1 << 28,      ///< cx, cy count the centre of the first pixel as 0
   kFirstAtHalf = 1 << 29,      ///< or as 0.5
