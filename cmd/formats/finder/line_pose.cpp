@@ -155,6 +155,25 @@ void putAim(LineDraft& line, const Candidate& first, const Candidates& all) {
     }
 }
 
+namespace {
+
+/// Three angles beside a place, without a compass: scalars of these names, or a list that is called so.
+struct AnglesBesidePlace {
+  std::string_view kind, words, suffix, order, axes, question;
+};
+constexpr std::string_view kOfOpk = "omega, phi, kappa of photogrammetry, x east, y north, z up",
+                           kOfRpy =
+                               "roll, pitch, yaw as ROS has them, of a camera that looks along x at zeros, where z is "
+                               "up; cameraAxes=FRD where z is down; heading=yaw+pitch+roll for a compass's yaw; "
+                               "convention=unreal and euler.order=unreal for Unreal's",
+                           kOfXyz = "turns about x, y, z as Blender has them; euler.order=unity or godot where y is up";
+constexpr AnglesBesidePlace kAngles[] = {
+    {"opk", "", "", "opk", "RUB", kOfOpk},         {"rpy", "", "", "rpy", "FLU", kOfRpy},
+    {"A", "opk", "", "opk", "RUB", kOfOpk},        {"A", "rpy", "", "rpy", "FLU", kOfRpy},
+    {"A", "ypr", "[2,1,0]", "rpy", "FLU", kOfRpy}, {"A", "", "", "blender", "RUB", kOfXyz}};
+
+}  // namespace
+
 void putAngles(LineDraft& line, const Candidates& all, bool isUnreal) {
   const auto best = [&](std::string_view kind) { return bestOf(*line.first, all, kind); };
   if (isUnreal && line.first->kind == "fov") {
@@ -192,30 +211,20 @@ void putAngles(LineDraft& line, const Candidates& all, bool isUnreal) {
       line.ask.push_back(angles + ": degrees; " + std::string(kRadians) + " behind each path of radians");
   };
   if (heading && (earth || !rpy))
-    put("heading", *heading, "", {},
+    return put(
+        "heading", *heading, "", {},
         "clockwise from north, above the horizon, right side down; /-1 behind an angle that counts the other way");
-  else if (earth)
-    return;
-  else if (isUnreal && pyr) {
-    line.set.clear();  // the convention counts pixels so
-    put("euler", *pyr, "", {"convention=unreal", "euler.order=unreal"},
-        "taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
-  } else if (opk)
-    put("euler", *opk, "", {"euler.order=opk", "cameraAxes=RUB", "world=enu"},
-        "omega, phi, kappa of photogrammetry, x east, y north, z up");
-  else if (rpy)
-    put("euler", *rpy, "", {"euler.order=rpy", "cameraAxes=FLU"},
-        "taken as ROS's, of a camera that looks along x at zeros, where z is up; cameraAxes=FRD where z is down; "
-        "heading=yaw+pitch+roll for a compass's yaw; convention=unreal and euler.order=unreal for Unreal's");
-  else if (list && hasWord(list->parts.front()->path(), "opk"))
-    put("euler", *list, "", {"euler.order=opk", "cameraAxes=RUB", "world=enu"}, "omega, phi, kappa");
-  else if (list && hasWord(list->parts.front()->path(), "rpy ypr"))
-    put("euler", *list, hasWord(list->parts.front()->path(), "ypr") ? "[2,1,0]" : "",
-        {"euler.order=rpy", "cameraAxes=FLU"},
-        "roll, pitch, yaw of a camera that looks along x at zeros, where z is up; cameraAxes=FRD where z is down");
-  else if (list)
-    put("euler", *list, "", {"euler.order=blender", "cameraAxes=RUB"},
-        "turns about x, y, z as Blender has them; euler.order=unity or godot where y is up");
+  if (earth) return;
+  if (isUnreal && pyr)
+    return put("euler", *pyr, "", {"convention=unreal", "euler.order=unreal"},
+               "taken as Unreal's and CARLA's, y to the right, pitch up, yaw clockwise; ROS's y is to the left");
+  for (const AnglesBesidePlace& each : kAngles) {
+    const auto match = best(each.kind);
+    if (!match || !(each.words.empty() || hasWord(match->parts.front()->path(), each.words))) continue;
+    std::vector<std::string> set{"euler.order=" + std::string(each.order), "cameraAxes=" + std::string(each.axes)};
+    if (each.order == "opk") set.emplace_back("world=enu");
+    return put("euler", *match, std::string(each.suffix), set, std::string(each.question));
+  }
 }
 
 void sharePoses(std::vector<LineDraft>& lines) {
