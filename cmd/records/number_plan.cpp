@@ -281,7 +281,7 @@ void readNumbers(const RecordView& record, const NumberPlan& plan, Numbers& numb
   if (absent == 0) return;
   numbers.isNull = absent == plan.together;
   for (std::size_t i = 0; i < plan.together && !numbers.isNull; ++i)
-    if (const std::string_view value = record.values[plan.fields[i].field]; isAbsent(value, form))
+    if (const std::string_view value = innerValue(record, plan.fields[i]); isAbsent(value, form))
       throw errorAt(record, plan.fields[i], value, notFinite(value));
 }
 
