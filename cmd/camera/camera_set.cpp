@@ -288,7 +288,11 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
     return std::any_of(patches_.patches.begin(), patches_.patches.end(),
                        [&](const Patch& patch) { return patch.path.starts_with(path); });
   };
-  const bool statesAxes = !patches_.readAs.empty() || sets("cameraAxes") || sets("convention");
+  const bool statesAxes =
+      !patches_.readAs.empty() || sets("cameraAxes") || sets("convention.preset") || sets("convention.view") ||
+      std::any_of(patches_.patches.begin(), patches_.patches.end(), [](const Patch& patch) {
+        return patch.path == "convention" && (patch.value->contains("preset") || patch.value->contains("view"));
+      });
   const bool isOfPixels = import_.hasFocalPixels || sets("projection.fx");
   if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);

@@ -81,7 +81,7 @@ std::optional<Json> writtenPose(std::string_view text) {
     return pose;
   }
   const bool isRobots = text.starts_with("p[");
-  if (!isRobots && !text.starts_with("Transform3D(")) return std::nullopt;
+  if (!isRobots && !isGodotPose(text)) return std::nullopt;
   std::string list(text.substr(text.find_first_of("[(") + 1));
   std::erase_if(list, [](char c) { return c == ' ' || c == ']' || c == ')'; });
   const auto n = parseNumberList(list);

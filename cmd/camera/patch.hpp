@@ -30,6 +30,8 @@ Patch setPatch(const std::string& text);
 /// A pose as a program writes it: a URDF's <origin xyz="…" rpy="…"/>, Godot's Transform3D(…) of the rows of a turn and
 /// a place, or p[x, y, z, rx, ry, rz] of Universal Robots. Nothing for a text that begins otherwise.
 std::optional<Json> writtenPose(std::string_view text);
+/// Whether such a pose is Godot's, whose cameras have axes RUB.
+inline bool isGodotPose(std::string_view text) { return text.starts_with("Transform3D("); }
 /// Such a pose, or one as options say it: a place and, behind a blank, ORDER:A,B,C, quaternion:x,y,z,w (quat:) or
 /// vector:x,y,z (rvec:, radians). Nothing for a text that begins otherwise. The values are not checked.
 std::optional<Json> poseOfText(const std::string& text);

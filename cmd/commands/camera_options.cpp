@@ -179,14 +179,17 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 void CameraOptions::requirePoseCounts(const std::string& option) const {
-  const Patch *place = nullptr, *turn = nullptr;
+  std::string both, path;
   for (const Patch& patch : patches_) {
-    if (patch.isOption && patch.path == "position") place = &patch;
-    if (patch.isOption && isAmong(patch.path, "target direction rotation euler heading")) turn = &patch;
+    if (!patch.isOption || !isAmong(patch.path, "position target direction rotation euler heading")) continue;
+    both += (both.empty() ? "" : " and ") + patch.label;
+    path = patch.path;
   }
-  if (place && turn)
-    throw UsageError(place->label + " and " + turn->label + " are the pose, and so is " + option +
-                     "; keep one, or give each pose to --world-from-camera, base first");
+  if (both.empty()) return;
+  const bool isOne = both.find(' ') == std::string::npos;
+  throw UsageError(both + (isOne ? " is part of the pose, and " : " are the pose, and so is ") + option +
+                   (isOne ? " is all of it; keep one, or replace that part with --set " + path + "=VALUE"
+                          : "; keep one, or give each pose to --world-from-camera, base first"));
 }
 
 std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::open(

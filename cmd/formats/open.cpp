@@ -43,9 +43,10 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
   std::string name = splitPick(opening.poses.front()).file;
-  Import result = Import::one(
-      [camera = Json{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}}] { return camera; });
-  result.notes.emplace_back(kOpenCvNote);
+  const bool isGodots = isGodotPose(innermost(opening));
+  const std::string preset = !patches.readAs.empty() ? patches.readAs : isGodots ? "opengl" : "opencv";
+  Import result = Import::one([camera = Json{{"convention", preset}}] { return camera; });
+  if (!isGodots) result.notes.emplace_back(kOpenCvNote);
   result = atPoses(std::move(result), opening, name, false);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }

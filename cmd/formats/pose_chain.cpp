@@ -49,6 +49,20 @@ PoseFactor factorOf(Json pose, const std::string& field) {
   return {.file = nullptr, .cameras = {camera}, .field = field, .isPicked = true};
 }
 
+/// A typed pose whose camera is Godot's.
+PoseFactor ofGodotsCamera(const PoseFactor& typed, const std::string& source) {
+  CameraEntry camera;
+  camera.document = [pose = typed.cameras.front().document()]() mutable {
+    pose["cameraAxes"] = "RUB";
+    return pose;
+  };
+  return {.file = std::make_shared<Document>(Document{source, nullptr}),
+          .cameras = {camera},
+          .field = typed.field,
+          .isOfCamera = true,
+          .isPicked = true};
+}
+
 /// own: the name of the cameras' file.
 PoseFactor factorOf(const std::string& source, const Opening& opening, const std::string& own) {
   const std::string& field = opening.direction;
@@ -185,6 +199,7 @@ Import atPoses(Import result, const Opening& opening, std::string& name, bool ha
   for (const std::string& source : opening.poses) {
     factors->push_back(factorOf(source, opening, hasFile ? name : ""));
     PoseFactor& factor = factors->back();
+    if (hasFile && isGodotPose(source) && &source == &innermost(opening)) factor = ofGodotsCamera(factor, source);
     if (factor.cameras.size() == 1) continue;
     factor.isOwn = factor.isOwn && factor.cameras.size() == result.cameras.size();
     if (factor.isOwn) continue;

@@ -11,6 +11,11 @@ namespace viewproj::cmd {
 /// file, or of the first poses' where options are the camera; several poses set it to their own.
 Import atPoses(Import cameras, const Opening& opening, std::string& name, bool hasFile = true);
 
+/// The last pose on the way to the camera.
+inline const std::string& innermost(const Opening& opening) {
+  return opening.direction == "worldFromCamera" ? opening.poses.back() : opening.poses.front();
+}
+
 /// The one pose that a file or a text gives, as a field's value: what takes its coordinates to the world.
 Json poseOf(const std::string& source);
 

@@ -149,7 +149,8 @@ const RecordCamera& RecordCameras::cameraOf(std::size_t which) const {
 }
 
 void RecordCameras::noteReading(const CameraColumns& columns, const std::vector<std::string>& unread) const {
-  const bool statesAxes = base_.root->contains("cameraAxes") || base_.root->contains("convention");
+  const bool statesAxes = base_.root->contains("cameraAxes") || valueAt(*base_.root, "convention.preset") ||
+                          valueAt(*base_.root, "convention.view");
   const bool isOfPixels = valueAt(*base_.root, "projection.fx") || columns.hasFocalPixels();
   if (columns.lacksAxes() && columns.hasRotation() && isOfPixels && !statesAxes) note(kAxesNote);
   if (columns.hasTranslation()) note(kTranslationNote);
