@@ -320,8 +320,8 @@ std::vector<double> readPixelNumbers(const std::string& option, const std::strin
   return readNumbers(option, text, 2, 3, "X,Y or X,Y,DEPTH");
 }
 
-CLI::Option* addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
-  return addValue(app, "--model", "FILE", model, readFileName, help + "; a file, JSON or a pose");
+CLI::Option* addModel(CLI::App& app, std::vector<std::string>& models, const std::string& help) {
+  return addValues(app, "--model", "FILE", models, readFileName, help + "; a file, JSON or a pose, or a chain");
 }
 
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {

@@ -227,8 +227,8 @@ void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings)
 
 // ---- Options that commands share
 
-/// --model FILE, which readModel() reads.
-CLI::Option* addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help);
+/// --model FILE, which readModel() reads; several in turn are a chain, base first.
+CLI::Option* addModel(CLI::App& app, std::vector<std::string>& models, const std::string& help);
 /// --scene FILE, which readScene() reads. help: what its shapes are for.
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
 /// --digits N. otherwise: what holds where it is not given.

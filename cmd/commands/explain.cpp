@@ -426,7 +426,7 @@ struct ExplainOptions {
   CameraOptions camera;
   std::optional<PointArgument> point;
   std::optional<std::vector<double>> pixel;
-  std::optional<std::string> model;
+  std::vector<std::string> models;
   ReportOptions report;
 };
 
@@ -441,7 +441,7 @@ int runExplain(const ExplainOptions& o) {
   o.camera.noteHandedness(file);
   OrderedJson report;
   if (o.point) {
-    const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
+    const auto model = o.models.empty() ? std::nullopt : std::optional(readModel(o.models));
     const Vec4 point = o.point->point();
     report = explainPoint(camera, convention, point, model);
     if (file.worldIsEcef && earthHides(camera.pose().eye(), model ? toWorld(*model, point) : point)) {
@@ -477,7 +477,7 @@ Action declareExplain(CLI::App& app) {
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
-  require(addModel(app, o->model, "Where the point's model stands in the world"), point);
+  require(addModel(app, o->models, "Where the point's model stands in the world"), point);
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);

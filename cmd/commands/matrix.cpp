@@ -25,7 +25,7 @@ struct MatrixOptions {
   CameraOptions camera;
   bool inverse = false, bakeViewport = false, relativeToEye = false, asFloat = false, all = false;
   std::optional<Matrices> which;
-  std::optional<std::string> model;
+  std::vector<std::string> models;
   WorldOptions world;
   std::string_view format = "json";
 };
@@ -57,7 +57,7 @@ struct Change {
 std::array<Change, 3> changesOf(const MatrixOptions& o) {
   return {{{"--bake-viewport", o.bakeViewport, &CameraMatrix::projection, "the projection"},
            {"--relative-to-eye", o.relativeToEye, &CameraMatrix::pose, "the view"},
-           {kModel, o.model.has_value(), &CameraMatrix::model, "modelView and modelViewProjection"}}};
+           {kModel, !o.models.empty(), &CameraMatrix::model, "modelView and modelViewProjection"}}};
 }
 
 /// The viewport is no part of a matrix that is of pixels already.
@@ -118,7 +118,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
     try {
       set.matrices.push_back(row.make(source, inverse));
     } catch (const CameraError& e) {
-      throw InputError("--model " + *o.model + ": " + e.message());
+      throw InputError("--model " + o.models.back() + ": " + e.message());
     }
   };
   for (const CameraMatrix* row : chosen) {
@@ -174,7 +174,7 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
     if (o.which && change.isGiven && !isChanged(*o.which, change))
       throw UsageError(std::string(change.option) + " is for " + change.matrices +
                        ", and --which names no such matrix");
-  const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
+  const auto model = o.models.empty() ? std::nullopt : std::optional(readModel(o.models));
   const bool needsPicture =
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
   if (o.all) {
@@ -242,7 +242,7 @@ Action declareMatrix(CLI::App& app) {
   addFlag(app, "--bake-viewport", o->bakeViewport, "Fold the viewport into the projection");
   CLI::Option* const relative =
       addFlag(app, "--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
-  CLI::Option* const model = addModel(app, o->model, "Where a model stands in the world");
+  CLI::Option* const model = addModel(app, o->models, "Where a model stands in the world");
   addFlag(app, "--float", o->asFloat, "Round to float32 (default: doubles)");
   const auto forms = matrixForms();
   refuse(addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format"), "camera",

@@ -432,7 +432,7 @@ struct Options {
   StreamOptions stream;
   Precision precision = Precision::exact;
   std::optional<Several<const PointResult*>> fields;
-  std::optional<std::string> model;
+  std::vector<std::string> models;
 };
 
 int run(const Options& o) {
@@ -468,7 +468,7 @@ int run(const Options& o) {
                  .hasMiss = hasMiss,
                  .prefix = setup.prefix,
                  .hasUsualNumbers = hasUsualNumbers};
-  if (o.model) how.worldFromLocal = readModel(*o.model);
+  if (!o.models.empty()) how.worldFromLocal = readModel(o.models);
   setup.arrayName = hasMiss ? "pair" : "position";
   return runFilter(setup, cameras, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
 }
@@ -490,7 +490,7 @@ Action declareProject(CLI::App& app) {
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addPrecision(app, o->precision);
-  addModel(app, o->model, "Where the points' model stands in the world");
+  addModel(app, o->models, "Where the points' model stands in the world");
   o->camera.add(app);
   o->cameras.add(app, true);
   o->camera.addWriting(app);

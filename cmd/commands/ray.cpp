@@ -263,7 +263,8 @@ struct Options {
   StreamOptions stream;
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
-  std::optional<std::string> scene, model;
+  std::optional<std::string> scene;
+  std::vector<std::string> models;
   std::vector<PlaneEquation> planes;
   GroundHeight height;
   bool allHits = false;
@@ -311,8 +312,8 @@ int run(const Options& o) {
   });
   const bool worldIsEcef = cameras.worldIsEcef();
   Casting how{.columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
-  if (o.model) {
-    how.worldFromLocal = readModel(*o.model);
+  if (!o.models.empty()) {
+    how.worldFromLocal = readModel(o.models);
     how.localFromWorld = inverseOfAffine(*how.worldFromLocal);
     if (!how.localFromWorld) throw UsageError("--model: has no inverse, so that no point of the world is in it");
   }
@@ -358,7 +359,7 @@ Action declareRay(CLI::App& app) {
   };
   addValue(app, "--fields", "NAMES", o->fields, readFields,
            withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
-  addModel(app, o->model, "Write results, but distances, in this model's coordinates");
+  addModel(app, o->models, "Results, but distances, in the model's coordinates");
   o->camera.readForRays();
   o->camera.add(app);
   o->camera.addReversed(app);

@@ -56,14 +56,14 @@ std::optional<Node> columnOf(const Node& row, std::string_view name) {
   return found;
 }
 
-/// A number as exiftool prints it without -n: 8.8 mm, 548.3 m Below Sea Level, 46 deg 31' 12.46" N.
+/// A number as exiftool prints it without -n: 8.8 mm, 548.3 m Below Sea Level, 46 deg 31' 12.46" N, 46.52 N.
 std::optional<double> printedNumber(std::string_view text) {
   const std::vector<std::string_view> words = partsOf(text, " '\"");
   const auto number = words.empty() ? std::nullopt : parseNumber(words.front());
   if (!number || words.size() == 1) return number;
   const bool isNegative = isAmong(words.back(), "S W") || (words.size() > 2 && words[2] == "Below");
   if (words[1] != "deg")
-    return isAmong(words[1], "mm m") ? std::optional(isNegative ? -*number : *number) : std::nullopt;
+    return isAmong(words[1], "mm m N E S W") ? std::optional(isNegative ? -*number : *number) : std::nullopt;
   const auto minutes = words.size() > 2 ? parseNumber(words[2]) : std::nullopt,
              seconds = words.size() > 3 ? parseNumber(words[3]) : std::nullopt;
   const double degrees = *number + minutes.value_or(0) / 60 + seconds.value_or(0) / 3600;

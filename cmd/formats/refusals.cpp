@@ -44,9 +44,9 @@ constexpr Refusal kRefusals[] = {
      "is a track of Nuke, which is not read: of each line give numbers 2 to 4 to --position, 5 to 7, RX RY RZ, as "
      "--euler YXZ:RY,RX,RZ where the order of turns is ZXY, and the eighth to --fov-y"},
     {"[gd_scene", true,
-     "is a scene of Godot, which is not read; give --read-as opengl, fov to --fov-y (to --fov-x where keep_aspect = "
-     "0), and the transform of each node around the camera and its own, the outermost first, as --world-from-camera "
-     "'Transform3D(…)'"},
+     "is a scene of Godot, which is not read; give fov to --fov-y (to --fov-x where keep_aspect = 0; 75 where it is "
+     "not there), near, 0.05, and far, 4000, and the transform of each node around the camera and its own, the "
+     "outermost first, as --world-from-camera 'Transform3D(…)'; --reverse-z for depths of Godot 4.3 or later"},
     {"#polynomial coefficients for the DIRECT mapping", false,
      "is a lens of OCamCalib, which is not supported; undistort the pictures first"},
     {"Camera.Parameters=[", false,

@@ -246,7 +246,7 @@ constexpr Row kRows[] = {
      "cameraFromWorld.translation=translation, name?=name",
      "metadata name world_position world_orientation", "*"},
     {"nuscenes", "sensors of nuScenes", "camera_intrinsic rotation:4 translation:3",
-     "K=camera_intrinsic, worldFromCamera.quaternionWFirst=rotation, worldFromCamera.translation=translation, "
+     "K?=camera_intrinsic, worldFromCamera.quaternionWFirst=rotation, worldFromCamera.translation=translation, "
      "name?=token",
      "", "*"},
     // Its pictures are undistorted already: the coefficients are of the lens before that.

@@ -154,9 +154,7 @@ std::optional<Mat4> modelOfText(const std::string& source) {
   return m;
 }
 
-}  // namespace
-
-Mat4 readModel(const std::string& source) {
+Mat4 readOne(const std::string& source) {
   constexpr const char* kForms =
       "4 rows of 4 numbers, or {\"translation\": [x, y, z], \"rotation\": [x, y, z, w], \"scale\": [x, y, z]}";
   if (const auto typed = modelOfText(source)) return *typed;
@@ -172,6 +170,22 @@ Mat4 readModel(const std::string& source) {
   const Mat4 rows = model.mat4();
   requireAffine(rows, model);
   return rows;
+}
+
+}  // namespace
+
+Mat4 readModel(const std::vector<std::string>& chain) {
+  Mat4 model = readOne(chain.back());
+  for (std::size_t at = chain.size() - 1; at-- > 0;) {
+    const Mat4 outer = readOne(chain[at]), inner = model;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Vec4 column = toWorld(outer, {inner[0][j], inner[1][j], inner[2][j], inner[3][j]});
+      model[0][j] = column.x;
+      model[1][j] = column.y;
+      model[2][j] = column.z;
+    }
+  }
+  return model;
 }
 
 }  // namespace viewproj::cmd

@@ -3,15 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 
-/// source: a file name or the JSON itself. Four rows of four numbers for column vectors, with last row 0 0 0 1, or an
-/// object of translation, rotation [x, y, z, w] and scale. Throws InputError with the place of the error, and
-/// UsageError for a list of numbers that is neither.
-Mat4 readModel(const std::string& source);
+/// The product of a chain, base first: of each a file name, the JSON itself or a pose. Four rows of four numbers for
+/// column vectors, with last row 0 0 0 1, or an object of translation, rotation [x, y, z, w] and scale. Throws
+/// InputError with the place of the error, and UsageError for a list of numbers that is neither.
+Mat4 readModel(const std::vector<std::string>& chain);
 
 /// translation * rotation * scale, as in a glTF node. The quaternion is normalised. Each entry is the double nearest
 /// the true one. Throws CameraError naming translation, rotation or scale if one is out of a camera's range, or if the

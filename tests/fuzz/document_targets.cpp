@@ -37,7 +37,7 @@ void readScene(std::string_view input) {
 
 void readModelMatrix(std::string_view input) {
   giveInput(input);
-  const Mat4 m = readModel("-");
+  const Mat4 m = readModel({"-"});
   for (const auto& row : m.m)
     for (const double entry : row)
       if (!std::isfinite(entry)) found("an entry of a model matrix that is not finite");
