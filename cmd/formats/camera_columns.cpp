@@ -30,12 +30,18 @@ struct Family {
   bool isClear = true;  ///< in a record too
 };
 constexpr std::string_view kPlace = "position.x position.y position.z", kSize = "viewport.width viewport.height",
-                           kTranslation = "tx ty tz";
+                           kTranslation = "tx ty tz",
+                           kVector =
+                               "cameraFromWorld.rotationVector.x cameraFromWorld.rotationVector.y "
+                               "cameraFromWorld.rotationVector.z",
+                           kVectorPlace =
+                               "cameraFromWorld.translation.x cameraFromWorld.translation.y "
+                               "cameraFromWorld.translation.z";
 constexpr Family kFamilies[] = {
-    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},   {"c_x c_y c_z", kPlace},
-    {"posx posy posz", kPlace},     {kTranslation, kPlace}, {"easting northing", kPlace},
-    {"width height", kSize, false}, {"w h", kSize, false},  {"imagewidth imageheight", kSize},
-    {"imgwidth imgheight", kSize}};
+    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},           {"c_x c_y c_z", kPlace},
+    {"posx posy posz", kPlace},     {kTranslation, kPlace},         {"easting northing", kPlace},
+    {"width height", kSize, false}, {"w h", kSize, false},          {"imagewidth imageheight", kSize},
+    {"imgwidth imgheight", kSize},  {"rvecx rvecy rvecz", kVector}, {"tvecx tvecy tvecz", kVectorPlace}};
 /// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
 /// across or up. Each with its columns.
 constexpr std::string_view kF = "projection.f", kF35 = "projection.f35", kFov = "projection.fov";
@@ -160,6 +166,7 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
     if (found.size() != wordsIn(names).size() || isOther) continue;
     for (std::size_t i = 0; i < found.size(); ++i) paths_.find(found[i])->second = all[i];
     hasTranslation_ = hasTranslation_ || names == kTranslation;
+    isOpenCv_ = isOpenCv_ || ofNames == kVector;
   }
   for (auto& [column, path] : paths_) {
     const std::string& name = nameOf(column);
@@ -210,7 +217,7 @@ bool CameraColumns::hasTurn() const {
 bool CameraColumns::hasRotation() const { return has("rotation") || has("worldFromCamera") || has("cameraFromWorld"); }
 
 bool CameraColumns::lacksAxes() const {
-  return (hasRotation() || isRobots_) && !isOpk_ && !has("cameraAxes") && !has("convention");
+  return (hasRotation() || isRobots_) && !isOpk_ && !isOpenCv_ && !has("cameraAxes") && !has("convention");
 }
 
 Json CameraColumns::documentOf(const Node& row) const {
@@ -287,6 +294,11 @@ Json CameraColumns::documentOf(const Node& row) const {
   if (onMap_) fields.emplace("world", "enu");
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  if (isOpenCv_) {
+    for (auto& [part, numbers] : fields["cameraFromWorld"].items())
+      numbers = {numbers.value("x", Json()), numbers.value("y", Json()), numbers.value("z", Json())};
+    fields.emplace("convention", "opencv");
+  }
   if (turns && turns->first == "unreal") fields.emplace("convention", "unreal");
   std::replace(degrees.begin(), degrees.end(), Json(), Json(0));
   if (turns) fields["euler"] = {{"order", turns->first}, {"degrees", degrees}};

@@ -46,8 +46,8 @@ class CameraColumns {
   std::map<std::string, std::string, std::less<>> paths_, names_;
   std::vector<std::string> notes_;
   bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false,
-       isRobots_ = false;  ///< isRobots: yaw is no heading
-  bool hasTranslation_ = false, isOfMetashape_ = false;
+       isRobots_ = false;                                                   ///< isRobots: yaw is no heading
+  bool hasTranslation_ = false, isOfMetashape_ = false, isOpenCv_ = false;  ///< isOpenCv: rvec and tvec
   bool isPerspective_ = false;    ///< only an orthographic camera has a window of a size
   bool isHeightUnclear_ = false;  ///< no other column is the place's
 };

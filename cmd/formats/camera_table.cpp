@@ -36,14 +36,17 @@ std::string nameOf(const Node& row) {
   return "";
 }
 
-/// A position, and a column of a turn or a lens beside it. A time and a pose alone are a trajectory.
+/// A position, and a column of a turn or a lens beside it, or a pose as a whole. A time and a pose alone are a
+/// trajectory.
 bool recognises(const Node& root) {
   const Json& rows = root.json();
   if (!rows.is_array() || rows.empty() || !rows.front().is_object()) return false;
   const Json& row = rows.front();
   if (std::any_of(row.begin(), row.end(), [](const Json& cell) { return cell.is_structured(); })) return false;
   const CameraColumns columns(row);
-  return columns.has("position") && (columns.has("projection") || (columns.hasTurn() && !holdsPoses(root)));
+  const bool hasPose = columns.has("cameraFromWorld") || columns.has("worldFromCamera");
+  return hasPose ||
+         (columns.has("position") && (columns.has("projection") || (columns.hasTurn() && !holdsPoses(root))));
 }
 
 Import open(const Node& root) {
