@@ -9,6 +9,7 @@
 #include "camera/read_convention.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 #include "text/pattern.hpp"
 #include "text/system.hpp"
 #include "text/utf8.hpp"
@@ -320,6 +321,29 @@ std::string CameraSet::otherWorlds() const {
   return text;
 }
 
+/// Where cx, cy are the file's, and where they count from is not.
+void CameraSet::noteCenter(Document& document) const {
+  const auto patchOf = [&](std::string_view path) {
+    return std::find_if(patches_.patches.begin(), patches_.patches.end(),
+                        [&](const Patch& patch) { return patch.path == path; });
+  };
+  const auto patch = patchOf("viewport.pixelCenter"), none = patches_.patches.end();
+  if (patch == none || !patch->value->is_number() || !valueAt(*document.root, "projection.cx") ||
+      patchOf("projection.cx") != none)
+    return;
+  const Json* const stated = valueAt(*document.root, "viewport.pixelCenter");
+  const double to = patch->value->get<double>(), from = stated && stated->is_number()
+                                                            ? stated->get<double>()
+                                                            : readConvention(document).preset->pixelCenter;
+  if (to == from) return;
+  std::string kept;
+  for (const std::string axis : {"cx", "cy"})
+    if (const Json* const value = valueAt(*document.root, "projection." + axis); value && value->is_number())
+      kept += " --" + axis + " " + formatNumber(value->get<double>() + to - from);
+  document.notes.push_back(name_ + ": " + patch->label + ": its cx and cy stay, and so its picture moves; " +
+                           kept.substr(1) + " beside it counts pixels so and moves nothing");
+}
+
 Document CameraSet::document(std::size_t which) const {
   if (const CameraEntry& camera = import_.cameras[which]; camera.set) return camera.set->document(camera.which);
   Document document{name_ + (size() > 1 ? "#" + pickOf(which) : ""), std::make_shared<Json>(), isTyped_};
@@ -330,6 +354,7 @@ Document CameraSet::document(std::size_t which) const {
   for (const auto& [path, name] : import_.ownNames) document.labels.emplace(path, document.name + ": " + name);
   normalize(document);
   if (patches_.resize) resizePicture(document, *patches_.resize);
+  noteCenter(document);
   applyPatches(document, patches_.patches);
   if (patches_.otherwise && !valueAt(*document.root, "viewport.width") && !valueAt(*document.root, "projection.pixels"))
     (*document.root)["viewport"].update(

@@ -27,8 +27,9 @@ struct Document {
   /// The values that were read, by their addresses; null: nobody asks.
   std::shared_ptr<std::unordered_set<const void*>> marks = nullptr;
   std::shared_ptr<const std::string> text{};  ///< of the file, where it is short
-  bool isPlainText = false;  ///< the file is no JSON, YAML, XML or table: keys and numbers, or anything else
-  std::string fault{};       ///< of a text that began like JSON, YAML or XML: what is wrong with it as that
+  bool isPlainText = false;          ///< the file is no JSON, YAML, XML or table: keys and numbers, or anything else
+  std::vector<std::string> notes{};  ///< on what options made of it
+  std::string fault{};               ///< of a text that began like JSON, YAML or XML: what is wrong with it as that
 };
 
 /// The longest text of a document, in bytes.

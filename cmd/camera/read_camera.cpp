@@ -119,6 +119,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   const auto picture = readPicture(values, stated, reading);
   file.projection = readProjection(values, stated, picture, reading);
   file.notes = radiansNotes(values);
+  file.notes.insert(file.notes.end(), file.document.notes.begin(), file.document.notes.end());
   if (const std::string rounding = file.pose ? roundingNote(values, *file.pose) : ""; !rounding.empty())
     file.notes.push_back(rounding);
   for (const auto& [order, told] : kOrderNotes)

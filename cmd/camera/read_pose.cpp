@@ -99,6 +99,11 @@ World worldOf(const FieldValues& values) {
   return World::any;
 }
 
+CameraAxes axesOfOrder(const NameRow<EulerOrder>& order, Handedness world, CameraAxes otherwise) {
+  if (order.second.cameraAxes) return *order.second.cameraAxes;
+  return order.first == "unity" && world == Handedness::left ? CameraAxes::RUF : otherwise;
+}
+
 CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset) {
   const auto* const euler = values.find<EulerTurns>("euler");
   if (euler && euler->order->second.cameraAxes) return *euler->order->second.cameraAxes;

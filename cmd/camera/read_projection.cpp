@@ -18,7 +18,7 @@ void requireShape(const FieldValues& values, double aspect, const Viewport& view
                   const ReadOptions& options, const std::string& fix) {
   if (options.allowStretch || !options.needsPicture || hasShape(viewport, aspect)) return;
   values.failAt(at, "the aspect is " + formatDigits(aspect, 6) + ", but the viewport's is " +
-                        formatDigits(viewport.width / viewport.height, 6) + "; " + fix + " or give --allow-stretch");
+                        formatDigits(viewport.width / viewport.height, 6) + "; " + fix + "give --allow-stretch");
 }
 
 /// One function for each type of projection.
@@ -127,7 +127,7 @@ struct ProjectionReader {
     const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count",
                                      isPlaced ? ", and only visible and outside depend on its size" : "");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
-      requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures");
+      requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures or ");
     const Viewport whole = pictureOfIntrinsics(values, frame);
     const Vec2 pixels{whole.width, whole.height};
     const double cx = values.valueOr("projection.cx", whole.x + (whole.width - 1) / 2 + whole.pixelCenter);
@@ -255,8 +255,12 @@ std::optional<Projection> readProjection(const FieldValues& values, const Docume
   // A window in pixels may have another shape than the viewport.
   if (picture && type != kIntrinsics && type != kPs2) {
     const bool isStated = values.has("projection.aspect");
+    const auto label = values.document().labels.find("projection.aspect");
+    const bool isOfOther = label != values.document().labels.end() && !label->second.starts_with("--");
     requireShape(values, projection.aspect(), picture->frame, isStated ? "projection.aspect" : "projection", options,
-                 isStated ? "change it by --aspect" : "change one of them");
+                 isOfOther  ? "where its pixels are not square, "
+                 : isStated ? "change it by --aspect or "
+                            : "change one of them or ");
   }
   const auto* const shift = values.find<Vec2>("projection.shift");
   return shift ? shifted(projection, shift->x, shift->y) : projection;

@@ -110,7 +110,7 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   NamedOutput output(command.opensOutput ? "-" : outputFile(app));
   try {
     const int status = declared.run();
-    output.keep();
+    if (status == 0 || !output.isEmpty()) output.keep();
     return status;
   } catch (const InputError& e) {
     if (isOfTypedJson(app, e.what())) throw UsageError(e.what());

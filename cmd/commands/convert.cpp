@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "camera/plain_camera.hpp"
+#include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/world_options.hpp"
@@ -45,8 +46,12 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   if (!o.angles || !file.pose) return file;
   Document document = withoutScreen(file);
   const OrderedJson angles = anglesOf(*o.angles, readValues(document), *file.preset, file.pose);
+  const CameraAxes own = cameraAxesOf(readValues(document), *file.preset);
   orient(*document.root, "euler", Json(angles));
-  if (o.angles->second.cameraAxes) document.root->erase("cameraAxes");  // the order's own count
+  if (const CameraAxes axes = axesOfOrder(*o.angles, file.pose->world(), own); o.angles->second.cameraAxes)
+    document.root->erase("cameraAxes");  // the order's own count
+  else if (axes != own)
+    (*document.root)["cameraAxes"] = nameOf(kCameraAxesNames, axes);
   (*document.root)["position"] = {file.pose->eye().x, file.pose->eye().y, file.pose->eye().z};
   if (file.worldIsEcef) (*document.root)["world"] = nameOf(kWorlds, World::ecef);
   return readCamera(document, file.reading);

@@ -194,8 +194,10 @@ class FootprintWriter {
     writeOutput(text);
     isFirst_ = false;
   }
-  void end() const {
-    if (form_ == FootprintForm::geojson) writeOutput((isFirst_ ? kHead : "") + std::string("\n]}\n"));
+  /// Of none after faults nothing: an old file stays.
+  void end(bool hasFaults) const {
+    if (form_ == FootprintForm::geojson && !(isFirst_ && hasFaults))
+      writeOutput((isFirst_ ? kHead : "") + std::string("\n]}\n"));
   }
 
  private:
@@ -225,7 +227,7 @@ int runFootprint(const FootprintOptions& o) {
       status = 1;
     }
   }
-  writer.end();
+  writer.end(status != 0);
   return status;
 }
 

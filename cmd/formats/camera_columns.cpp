@@ -38,10 +38,10 @@ constexpr std::string_view kPlace = "position.x position.y position.z", kSize = 
                                "cameraFromWorld.translation.x cameraFromWorld.translation.y "
                                "cameraFromWorld.translation.z";
 constexpr Family kFamilies[] = {
-    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},           {"c_x c_y c_z", kPlace},
-    {"posx posy posz", kPlace},     {kTranslation, kPlace},         {"easting northing", kPlace},
-    {"width height", kSize, false}, {"w h", kSize, false},          {"imagewidth imageheight", kSize},
-    {"imgwidth imgheight", kSize},  {"rvecx rvecy rvecz", kVector}, {"tvecx tvecy tvecz", kVectorPlace}};
+    {"rvecx rvecy rvecz", kVector},    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},
+    {"c_x c_y c_z", kPlace},           {"posx posy posz", kPlace},     {kTranslation, kPlace},
+    {"easting northing", kPlace},      {"width height", kSize, false}, {"w h", kSize, false},
+    {"imagewidth imageheight", kSize}, {"imgwidth imgheight", kSize},  {"tvecx tvecy tvecz", kVectorPlace}};
 /// No fields of ours: a focal length in pixels both ways, one that counts the diagonal of 36 x 24 mm, and an angle
 /// across or up. Each with its columns.
 constexpr std::string_view kF = "projection.f", kF35 = "projection.f35", kFov = "projection.fov";
@@ -160,12 +160,13 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
           named = column;
       if (!named.empty()) found.push_back(named);
     }
-    const std::vector<std::string_view> all = wordsIn(ofNames);
+    const bool isOfVector = names == kTranslation && isOpenCv_;  // as tvec, beside rvec
+    const std::vector<std::string_view> all = wordsIn(isOfVector ? kVectorPlace : ofNames);
     const bool isBare = std::any_of(found.begin(), found.end(), [&](auto column) { return nameOf(column) == column; });
     const bool isOther = (ofNames == kPlace && has("position")) || (isRecord && !isClear && isBare);
     if (found.size() != wordsIn(names).size() || isOther) continue;
     for (std::size_t i = 0; i < found.size(); ++i) paths_.find(found[i])->second = all[i];
-    hasTranslation_ = hasTranslation_ || names == kTranslation;
+    hasTranslation_ = hasTranslation_ || (names == kTranslation && !isOfVector);
     isOpenCv_ = isOpenCv_ || ofNames == kVector;
   }
   for (auto& [column, path] : paths_) {

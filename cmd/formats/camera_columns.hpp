@@ -34,6 +34,8 @@ class CameraColumns {
   bool hasFocalPixels() const { return isPath("projection.fx") || isPath("projection.f"); }
   /// The camera's position is called tx, ty, tz.
   bool hasTranslation() const { return hasTranslation_; }
+  /// They have rvec and tvec.
+  bool isOpenCv() const { return isOpenCv_; }
   /// What is to be said of how they are read.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -46,8 +48,8 @@ class CameraColumns {
   std::map<std::string, std::string, std::less<>> paths_, names_;
   std::vector<std::string> notes_;
   bool onEarth_ = false, onMap_ = false, hasNorth_ = false, isOpk_ = false,
-       isRobots_ = false;                                                   ///< isRobots: yaw is no heading
-  bool hasTranslation_ = false, isOfMetashape_ = false, isOpenCv_ = false;  ///< isOpenCv: rvec and tvec
+       isRobots_ = false;  ///< isRobots: yaw is no heading
+  bool hasTranslation_ = false, isOfMetashape_ = false, isOpenCv_ = false;
   bool isPerspective_ = false;    ///< only an orthographic camera has a window of a size
   bool isHeightUnclear_ = false;  ///< no other column is the place's
 };

@@ -18,7 +18,8 @@ namespace viewproj::cmd {
 namespace table {
 
 /// The first of these names the camera, in any letter case.
-constexpr std::string_view kNameColumns = "name camera image imagename frame file filename photo photoid label id time";
+constexpr std::string_view kNameColumns =
+    "name camera image imagename frame file filename sourcefile photo photoid label id time";
 /// What is written, in this order.
 constexpr std::string_view kWritten =
     "name lat lon height heading x y z omega phi kappa order yaw pitch roll qx qy qz qw cameraAxes world fx fy cx cy "
@@ -36,7 +37,7 @@ std::string nameOf(const Node& row) {
   return "";
 }
 
-/// A position, and a column of a turn or a lens beside it, or a pose as a whole. A time and a pose alone are a
+/// A position, and a column of a turn or a lens beside it, or what solvePnP gives. A time and a pose alone are a
 /// trajectory.
 bool recognises(const Node& root) {
   const Json& rows = root.json();
@@ -44,8 +45,7 @@ bool recognises(const Node& root) {
   const Json& row = rows.front();
   if (std::any_of(row.begin(), row.end(), [](const Json& cell) { return cell.is_structured(); })) return false;
   const CameraColumns columns(row);
-  const bool hasPose = columns.has("cameraFromWorld") || columns.has("worldFromCamera");
-  return hasPose ||
+  return columns.isOpenCv() ||
          (columns.has("position") && (columns.has("projection") || (columns.hasTurn() && !holdsPoses(root))));
 }
 

@@ -123,10 +123,10 @@ bool holdsPictures(const Node& root) {
   return false;
 }
 
-constexpr const char* kAbsolute = "AbsoluteAltitude";
+constexpr const char *kAbsolute = "AbsoluteAltitude", *kRelative = "RelativeAltitude";
 
-/// A row of exiftool's table.
-Json pictureOf(const Node& row) {
+/// A row of exiftool's table. isRelative: heights are above the take-off.
+Json pictureOf(const Node& row, bool isRelative) {
   const auto cell = [&](std::string_view name, const std::string& otherwise = "") {
     const auto number = cellOf(row, name);
     if (!number)
@@ -134,15 +134,17 @@ Json pictureOf(const Node& row) {
     return *number;
   };
   requirePlain(row);
-  const auto altitude = cellOf(row, kAbsolute);
+  const auto altitude = cellOf(row, isRelative ? kRelative : kAbsolute);
   const auto* turn =
       std::find_if(std::begin(kTurns), std::end(kTurns), [&](const auto& t) { return columnOf(row, t[0]); });
   if (turn == std::end(kTurns)) turn = std::begin(kTurns);
   Json camera{{"position",
                {{"lat", signedOf(row, cell("GPSLatitude"), "GPSLatitude")},
                 {"lon", signedOf(row, cell("GPSLongitude"), "GPSLongitude")},
-                {hasGeoid() ? "altitude" : "height",
-                 altitude ? *altitude : signedOf(row, cell("GPSAltitude", " or AbsoluteAltitude"), "GPSAltitude")}}},
+                {hasGeoid() && !isRelative ? "altitude" : "height",
+                 altitude     ? *altitude
+                 : isRelative ? cell(kRelative)
+                              : signedOf(row, cell("GPSAltitude", " or AbsoluteAltitude"), "GPSAltitude")}}},
               {"heading", cell((*turn)[0])},
               {"pitch", cell((*turn)[1])},
               {"roll", cellOf(row, (*turn)[2]).value_or(0)}};
@@ -167,39 +169,45 @@ Json pictureOf(const Node& row) {
 Import openPictures(const Node& root) {
   Import result;
   const char* const altitude = columnOf(root[0], kAbsolute) ? kAbsolute : "GPSAltitude";
-  if (columnOf(root[0], altitude)) result.notes.push_back(seaLevelNote(altitude));
-  const auto absolute = cellOf(root[0], kAbsolute), relative = cellOf(root[0], "RelativeAltitude");
+  const auto absolute = cellOf(root[0], kAbsolute), relative = cellOf(root[0], kRelative);
+  const bool isRelative = relative && !columnOf(root[0], altitude);
+  if (isRelative)
+    result.notes.emplace_back("heights are RelativeAltitude, above the take-off: --height 0 is the ground there");
+  else if (columnOf(root[0], altitude))
+    result.notes.push_back(seaLevelNote(altitude));
   if (absolute && relative) {
     const std::string ground = formatDigits(*absolute - *relative, 9);
     result.notes.push_back(fileOf(root[0]) + " took off at " + ground + ", AbsoluteAltitude less RelativeAltitude: " +
                            (hasGeoid() ? "--altitude " : "--height ") + ground + " is the ground there");
   }
   for (std::size_t i = 0; i < root.size(); ++i)
-    result.add(fileOf(root[i]), "", [row = root[i]] { return pictureOf(row); });
+    result.add(fileOf(root[i]), "", [row = root[i], isRelative] { return pictureOf(row, isRelative); });
   return result;
 }
 
 /// An XrView. The window of an eye need not be symmetric.
 Json viewOf(const Node& view) {
-  const Node fov = view.require("fov"), pose = view.require("pose");
+  const Node fov = view.require("fov");
   const auto tangent = [&](const char* angle) { return std::tan(numberOf(fov.require(angle))); };
   const double left = tangent("angleLeft"), right = tangent("angleRight"), down = tangent("angleDown"),
                up = tangent("angleUp");
   const double width = right - left, height = up - down;
   if (!(width > 0 && height > 0)) fov.fail("expected angleLeft below angleRight and angleDown below angleUp");
-  return {{"convention", "opengl"},
-          {"position", numbersOf(pose.require("position"), 3)},
-          {"rotation", numbersOf(pose.require("orientation"), 4)},
-          {"projection",
-           {{"type", "perspective"},
-            {"fovY", formatNumber(2 * std::atan(height / 2)) + "rad"},
-            {"aspect", width / height},
-            {"shift", {-(left + right) / width, -(down + up) / height}}}}};
+  Json camera{{"convention", "opengl"},
+              {"projection",
+               {{"type", "perspective"},
+                {"fovY", formatNumber(2 * std::atan(height / 2)) + "rad"},
+                {"aspect", width / height},
+                {"shift", {-(left + right) / width, -(down + up) / height}}}}};
+  const auto pose = view.find("pose");
+  camera["position"] = pose ? Json(numbersOf(pose->require("position"), 3)) : Json{0, 0, 0};
+  camera["rotation"] = pose ? Json(numbersOf(pose->require("orientation"), 4)) : Json{0, 0, 0, 1};
+  return camera;
 }
 
 Import openViews(const Node& root) {
   const Node views = root.json().is_object() ? root.find("views").value_or(root) : root;
-  Import result{.ownNames = {{"projection.aspect", "fov"}}};
+  Import result{.mayLackPose = true, .ownNames = {{"projection.aspect", "fov"}}};
   const auto add = [&](const std::string& name, const Node& view) {
     result.add(
         name, "", [view] { return viewOf(view); }, view);

@@ -9,8 +9,11 @@
 #include "formats/finder/finder.hpp"
 #include "formats/format.hpp"
 #include "formats/parts.hpp"
+#include "formats/poses.hpp"
 #include "formats/rows.hpp"
 #include "formats/unread.hpp"
+#include "formats/value.hpp"
+#include "formats/words.hpp"
 #include "text/names.hpp"
 #include "text/pasted_matrices.hpp"
 #include "text/system.hpp"
@@ -164,6 +167,10 @@ std::string filesNamedBy(const Document& file) {
   for (const ProposedLine& proposed : proposeParts(file).lines)
     if (line.empty() && proposed.hasLens && !proposed.pose.empty() && !proposed.isEitherWay)
       line = "; it may be read by " + optionsOf(proposed);
+  const auto isPose = [](const auto& pose) { return isRigid(*numbersIn(pose.second)); };
+  const auto printed = file.isPlainText && file.text ? printedPoses(*file.text) : decltype(printedPoses("")){};
+  if (!printed.empty() && std::all_of(printed.begin(), printed.end(), isPose))
+    line += "; as a pose it is for --camera-from-world FILE, of a view, or --world-from-camera FILE";
   throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) + line +
                         "; viewproj info FILE tells what is in it, viewproj help formats lists the kinds",
                     file);

@@ -216,7 +216,9 @@ constexpr Row kRows[] = {
     {"strecha", "a .camera of Strecha's scenes", "#1:L26",
      "K=#1[0:9], worldFromCamera.rotation=#1[12:21], position=#1[21:24], size=#1[24:26]"},
     {"pix4d", "cameras of Pix4D", "*:28",
-     "K=*[2:11], size=*[0:2], distortion=*[11,12,14,15,13], position=*[16:19], cameraFromWorld.rotation=*[19:28]"},
+     "K=*[2:11], size=*[0:2], distortion=*[11,12,14,15,13], position=*[16:19], cameraFromWorld.rotation=*[19:28]", "",
+     "", 0, "RDF", false,
+     "positions are less the X, Y, Z of the project's _offset.xyz; --model=-X,-Y,-Z beside points of the map"},
     {"3dgs", "a cameras.json of 3D Gaussian splatting", "img_name rotation position",
      "K=fx+fy, size=width+height, worldFromCamera.rotation=rotation, position=position, name?=img_name, id?=id",
      "id img_name", "*", 0.5},
@@ -320,6 +322,7 @@ std::optional<std::string> containerOf(const Row& row, const Node& root) {
 Import importRow(const Row& row, const Node& root, std::string_view container) {
   if (row.hasOtherFile) addOtherFile(root.document());
   Import all;
+  if (!row.note.empty()) all.notes.emplace_back(row.note);
   std::unordered_set<std::string> earlier;
   for (RowLine& line : rowLines(row, root, container)) {
     if (!line.isThere) continue;

@@ -23,7 +23,8 @@ struct Row {
   std::string_view containers = "";  ///< where its members may stand, separated by blanks; "." is the file itself
   double pixelCenter = 0;
   std::string_view cameraAxes = "RDF";
-  bool hasOtherFile = false;  ///< see addOtherFile()
+  bool hasOtherFile = false;   ///< see addOtherFile()
+  std::string_view note = "";  ///< to be told of its cameras
 };
 
 std::span<const Row> rows();

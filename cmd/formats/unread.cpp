@@ -387,7 +387,9 @@ class Unread {
     for (const ProposedLine& line : proposeParts(*file_).lines) {
       if (line.pose.find(left.name) == std::string::npos) continue;
       return called + "read it by " + optionsOf(line) +
-             (line.isEitherWay ? ", or cameraFromWorld for worldFromCamera" : "") +
+             (line.isEitherWay      ? ", or cameraFromWorld for worldFromCamera"
+              : line.decide.empty() ? ""
+                                    : " (decide: " + joined(line.decide, "; ") + ")") +
              (isFlat ? ", and " + left.node.path() + "^T if its numbers go by columns, as RealSense's do" : "");
     }
     return called + "read it by --parts (viewproj help parts)";

@@ -132,6 +132,11 @@ NamedOutput::NamedOutput(const std::string& name) {
 
 NamedOutput::~NamedOutput() { removeTemporary(); }
 
+bool NamedOutput::isEmpty() const {
+  std::error_code error;
+  return !target_.empty() && fs::file_size(pathOf(temporaryName), error) == 0 && !error;
+}
+
 void NamedOutput::keep() {
   if (target_.empty()) return;
   std::error_code error;

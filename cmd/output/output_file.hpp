@@ -19,6 +19,8 @@ class NamedOutput {
   NamedOutput(const NamedOutput&) = delete;
   NamedOutput& operator=(const NamedOutput&) = delete;
 
+  /// Whether nothing is in the temporary file.
+  bool isEmpty() const;
   /// All is written. Throws InputError where the file cannot have its name.
   void keep();
 

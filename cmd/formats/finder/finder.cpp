@@ -173,6 +173,24 @@ void addOnce(std::vector<std::string>& paths, const std::string& path) {
   if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
+/// "cameras.*.name" of cameras.*.fx, where the items of the list have names.
+std::string pathOfNames(const Document& file, const std::string& path) {
+  constexpr std::string_view kNamesOfItems =
+      "name label id camera_name image_name file_name filename image camera_id camera";
+  const std::size_t star = path.find('*');
+  if (star == path.npos || path.find_first_of(".+", star) != star + 1 || (star > 0 && path[star - 1] != '.')) return "";
+  const auto list = star == 0 ? std::optional(Node(file)) : valueAt(Node(file), path.substr(0, star - 1));
+  if (!list || !list->json().is_array()) return "";
+  for (const std::string_view name : wordsIn(kNamesOfItems)) {
+    const auto isNamed = [&](const Json& item) {
+      return item.is_object() && item.contains(name) && item[std::string(name)].is_string();
+    };
+    if (std::all_of(list->json().begin(), list->json().end(), isNamed))
+      return path.substr(0, star + 1) + "." + std::string(name);
+  }
+  return "";
+}
+
 }  // namespace
 
 ProposedLine otherWay(ProposedLine line) {
@@ -202,6 +220,8 @@ Proposal proposeParts(const Document& file) {
                               !isPoseKind(line.first->kind), line.pose, line.isEitherWay, line.turnOfNoOrder});
     std::string& parts = proposal.lines.back().parts;
     for (const auto& [name, path] : line.parts) parts += (parts.empty() ? "" : ", ") + name + "=" + path;
+    if (const std::string names = pathOfNames(file, line.parts.front().second); !names.empty())
+      parts += ", name=" + names;
     for (const Chosen& each : line.used) addUsed(*each, used);
   }
   const auto isUsedBelow = [&](const std::string& front) {
