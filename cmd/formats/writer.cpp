@@ -36,11 +36,12 @@ constexpr Writer kWriters[] = {
      writeColmap, SIZE_MAX, leftOutOfColmap},
     {"transforms", "transforms.json", kPicture | kCentresAtHalf | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
-    {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
-    {"gltf", ".gltf", kYIsUp | kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions, writeGltf},
+    {"3dgs", "", kPicture | kFirstAtHalf | kNamedPoses | kNeedsWholeSize, writeSplats},
+    {"gltf", ".gltf", kFirstAtHalf | kYIsUp | kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions,
+     writeGltf},
     {"threejs", "",
-     kYIsUp | kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses |
-         kQuaternions,
+     kFirstAtHalf | kYIsUp | kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace |
+         kNamedPoses | kQuaternions,
      writeThreeJs},
     {"open3d", "", kPicture | kCentresAtZero | kStatedPoses | kNeedsWholeSize, writeOpen3d},
     {"kitti", "", kPixels | kShapePlace | kCentresAtZero | kStatedPoses, writeKitti, 4},
