@@ -328,18 +328,16 @@ void CameraSet::noteCenter(Document& document) const {
                         [&](const Patch& patch) { return patch.path == path; });
   };
   const auto patch = patchOf("viewport.pixelCenter"), none = patches_.patches.end();
-  if (patch == none || !patch->value->is_number() || !valueAt(*document.root, "projection.cx") ||
-      patchOf("projection.cx") != none)
-    return;
+  if (patch == none || !patch->value->is_number() || patchOf("projection.cx") != none) return;
   const Json* const stated = valueAt(*document.root, "viewport.pixelCenter");
   const double to = patch->value->get<double>(), from = stated && stated->is_number()
                                                             ? stated->get<double>()
                                                             : readConvention(document).preset->pixelCenter;
-  if (to == from) return;
   std::string kept;
   for (const std::string axis : {"cx", "cy"})
     if (const Json* const value = valueAt(*document.root, "projection." + axis); value && value->is_number())
       kept += " --" + axis + " " + formatNumber(value->get<double>() + to - from);
+  if (to == from || kept.empty()) return;
   document.notes.push_back(name_ + ": " + patch->label + ": its cx and cy stay, and so its picture moves; " +
                            kept.substr(1) + " beside it counts pixels so and moves nothing");
 }

@@ -44,6 +44,8 @@ struct EulerOrder {
   std::array<double, 3> sign{1, 1, 1};
   /// The camera axes of programs that have no others.
   std::optional<CameraAxes> cameraAxes{};
+  /// Those of its program, whose world is left-handed; in a right-handed one the turns are of any camera.
+  std::optional<CameraAxes> leftHandedAxes{};
 };
 /// Letters are axes in the order of the turns; rpy is ROS's, unreal FRotator's, opk (omega, phi, kappa) aerial
 /// photogrammetry's.
@@ -61,7 +63,7 @@ inline constexpr NameRow<EulerOrder> kEulerOrders[] = {
     {"ZXZ", {{2, 0, 2}}},
     {"ZYZ", {{2, 1, 2}}},
     {"rpy", {.axis = {2, 1, 0}, .listed = {2, 1, 0}}},
-    {"unity", {.axis = {1, 0, 2}, .listed = {1, 0, 2}}},
+    {"unity", {.axis = {1, 0, 2}, .listed = {1, 0, 2}, .leftHandedAxes = CameraAxes::RUF}},
     {"unreal", {.axis = {2, 1, 0}, .listed = {1, 0, 2}, .sign = {1, -1, -1}, .cameraAxes = CameraAxes::FRU}},
     {"opk", {.axis = {0, 1, 2}, .cameraAxes = CameraAxes::RUB}},
     {"blender", {.axis = {2, 1, 0}, .listed = {2, 1, 0}, .cameraAxes = CameraAxes::RUB}},

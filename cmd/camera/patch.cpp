@@ -384,6 +384,11 @@ void applyPatches(Document& document, const std::vector<Patch>& patches) {
 void layOver(Document& document, const Json& fields) {
   std::vector<Patch> patches;
   addPatches(fields, "", patches);
+  for (const Patch& patch : patches) {
+    std::erase_if(document.labels, [&](const auto& label) { return overlap(label.first, patch.path); });
+    if (const Field* const field = findField(patch.path); field && field->kind == Kind::rigid)
+      document.labels.erase("position");  // it states the place
+  }
   applyTogether(document, patches);
 }
 

@@ -99,9 +99,9 @@ World worldOf(const FieldValues& values) {
   return World::any;
 }
 
-CameraAxes axesOfOrder(const NameRow<EulerOrder>& order, Handedness world, CameraAxes otherwise) {
-  if (order.second.cameraAxes) return *order.second.cameraAxes;
-  return order.first == "unity" && world == Handedness::left ? CameraAxes::RUF : otherwise;
+CameraAxes axesOfOrder(const EulerOrder& order, Handedness world, CameraAxes otherwise) {
+  if (world == Handedness::left && order.leftHandedAxes) return *order.leftHandedAxes;
+  return order.cameraAxes.value_or(otherwise);
 }
 
 CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset) {

@@ -14,8 +14,8 @@ namespace viewproj::cmd {
 
 /// What world coordinates are: any; Earth-centred, Earth-fixed metres; or east, north and up.
 World worldOf(const FieldValues& values);
-/// The axes that an order of turns is of: its own; in a left-handed world Unity's; or else these.
-CameraAxes axesOfOrder(const NameRow<EulerOrder>& order, Handedness world, CameraAxes otherwise);
+/// The axes that turns are of in a world: the order's own, or else these.
+CameraAxes axesOfOrder(const EulerOrder& order, Handedness world, CameraAxes otherwise);
 /// The axes of a rotation: those of the order of euler, if it has its own; cameraAxes; or the preset's.
 CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset);
 /// Why angles of this order cannot describe the camera: an order may have axes of its own. Empty if they can.

@@ -179,17 +179,19 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 void CameraOptions::requirePoseCounts(const std::string& option) const {
-  std::string both, path;
+  std::vector<std::string> given;
+  std::string path;
   for (const Patch& patch : patches_) {
     if (!patch.isOption || !isAmong(patch.path, "position target direction rotation euler heading")) continue;
-    both += (both.empty() ? "" : " and ") + patch.label;
+    given.push_back(patch.label);
     path = patch.path;
   }
-  if (both.empty()) return;
-  const bool isOne = both.find(' ') == std::string::npos;
-  throw UsageError(both + (isOne ? " is part of the pose, and " : " are the pose, and so is ") + option +
-                   (isOne ? " is all of it; keep one, or replace that part with --set " + path + "=VALUE"
-                          : "; keep one, or give each pose to --world-from-camera, base first"));
+  if (given.size() == 1)
+    throw UsageError(given.front() + " is part of the pose, and " + option +
+                     " is all of it; keep one, or replace that part with --set " + path + "=VALUE");
+  if (!given.empty())
+    throw UsageError(joined(given, " and ") + " are the pose, and so is " + option +
+                     "; keep one, or give each pose to --world-from-camera, base first");
 }
 
 std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::open(

@@ -48,7 +48,7 @@ CameraFile turned(const ConvertOptions& o, CameraFile file) {
   const OrderedJson angles = anglesOf(*o.angles, readValues(document), *file.preset, file.pose);
   const CameraAxes own = cameraAxesOf(readValues(document), *file.preset);
   orient(*document.root, "euler", Json(angles));
-  if (const CameraAxes axes = axesOfOrder(*o.angles, file.pose->world(), own); o.angles->second.cameraAxes)
+  if (const CameraAxes axes = axesOfOrder(o.angles->second, file.pose->world(), own); o.angles->second.cameraAxes)
     document.root->erase("cameraAxes");  // the order's own count
   else if (axes != own)
     (*document.root)["cameraAxes"] = nameOf(kCameraAxesNames, axes);

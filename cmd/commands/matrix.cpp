@@ -118,7 +118,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
     try {
       set.matrices.push_back(row.make(source, inverse));
     } catch (const CameraError& e) {
-      throw InputError("--model " + o.models.back() + ": " + e.message());
+      throw InputError("--model " + joined(o.models, " --model ") + ": " + e.message());
     }
   };
   for (const CameraMatrix* row : chosen) {

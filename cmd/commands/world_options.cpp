@@ -92,7 +92,7 @@ OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values
     note("order " + std::string(order.first) + " is of a world with " + (isUnity ? "y" : "z") +
          " up, unlike this one; viewproj convert --map " +
          (isUnity ? "y,z,x turns Unreal's into Unity's" : "z,x,y turns Unity's into Unreal's"));
-  const CameraAxes axes = axesOfOrder(order, pose->world(), cameraAxesOf(values, preset));
+  const CameraAxes axes = axesOfOrder(order.second, pose->world(), cameraAxesOf(values, preset));
   Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
   return {{"order", order.first}, {"degrees", asJson(degrees)}};

@@ -37,6 +37,7 @@ constexpr std::string_view kPlace = "position.x position.y position.z", kSize = 
                            kVectorPlace =
                                "cameraFromWorld.translation.x cameraFromWorld.translation.y "
                                "cameraFromWorld.translation.z";
+/// rvec is the first: tx, ty, tz beside it are tvec.
 constexpr Family kFamilies[] = {
     {"rvecx rvecy rvecz", kVector},    {"x0 y0 z0", kPlace},           {"px py pz", kPlace},
     {"c_x c_y c_z", kPlace},           {"posx posy posz", kPlace},     {kTranslation, kPlace},
@@ -115,6 +116,13 @@ Json cellValue(const Node& cell, const std::string& path) {
   } catch (const UsageError& e) {
     cell.fail(e.what());
   }
+}
+
+/// The members of these names, null where there are none.
+Json listOf(const Json& object, std::string_view names) {
+  Json list = Json::array();
+  for (const std::string_view name : wordsIn(names)) list.push_back(object.value(std::string(name), Json()));
+  return list;
 }
 
 }  // namespace
@@ -293,11 +301,9 @@ Json CameraColumns::documentOf(const Node& row) const {
   if (const Json f = take(kF35); !f.is_null())
     fields["projection"]["fovDiagonal"] = f.is_number() ? Json(fovOfEquivalent(f.get<double>())) : f;
   if (onMap_) fields.emplace("world", "enu");
-  if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
-    *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object()) *q = listOf(*q, "x y z w");
   if (isOpenCv_) {
-    for (auto& [part, numbers] : fields["cameraFromWorld"].items())
-      numbers = {numbers.value("x", Json()), numbers.value("y", Json()), numbers.value("z", Json())};
+    for (auto& [part, numbers] : fields["cameraFromWorld"].items()) numbers = listOf(numbers, "x y z");
     fields.emplace("convention", "opencv");
   }
   if (turns && turns->first == "unreal") fields.emplace("convention", "unreal");

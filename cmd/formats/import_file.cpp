@@ -162,14 +162,19 @@ std::string filesNamedBy(const Document& file) {
          "#0 where the pose is here";
 }
 
+/// Whether the matrices of a text are poses.
+bool hasPosesAlone(std::string_view text) {
+  const auto printed = printedPoses(text);
+  return !printed.empty() &&
+         std::all_of(printed.begin(), printed.end(), [](const auto& pose) { return isRigid(*numbersIn(pose.second)); });
+}
+
 [[noreturn]] void failUnknown(const Document& file) {
   std::string line;  // if it says all of a camera, and a pose of one direction
   for (const ProposedLine& proposed : proposeParts(file).lines)
     if (line.empty() && proposed.hasLens && !proposed.pose.empty() && !proposed.isEitherWay)
       line = "; it may be read by " + optionsOf(proposed);
-  const auto isPose = [](const auto& pose) { return isRigid(*numbersIn(pose.second)); };
-  const auto printed = file.isPlainText && file.text ? printedPoses(*file.text) : decltype(printedPoses("")){};
-  if (!printed.empty() && std::all_of(printed.begin(), printed.end(), isPose))
+  if (file.isPlainText && file.text && hasPosesAlone(*file.text))
     line += "; as a pose it is for --camera-from-world FILE, of a view, or --world-from-camera FILE";
   throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) + line +
                         "; viewproj info FILE tells what is in it, viewproj help formats lists the kinds",

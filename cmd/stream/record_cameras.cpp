@@ -222,9 +222,6 @@ RecordCamera RecordCameras::ownCamera(const RecordView& record, const RecordCame
     Document document = base_;
     document.root = std::make_shared<Json>(*base_.root);
     document.name = row.name;
-    for (const std::size_t field : of.fields) document.labels.erase(of.columns->pathOf(record.schema->names[field]));
-    if (of.columns->has("worldFromCamera") || of.columns->has("cameraFromWorld"))
-      document.labels.erase("position");  // a whole pose states it
     // A place that no file states is no place for a turn that is stated.
     if (isUnplaced_ && of.columns->hasTurn()) document.root->erase("position");
     layOver(document, *row.root);

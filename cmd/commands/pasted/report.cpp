@@ -187,7 +187,7 @@ OrderedJson anglesOf(const Reading& r, const NameRow<EulerOrder>& order) {
   if (!r.camera || !r.camera->pose || r.camera->lens) return nullptr;
   const Pose& pose = *r.camera->pose;
   const CameraAxes own = valueOf(kCameraAxesNames, nameOf(kViewNames, r.camera->convention.view));
-  const CameraAxes axes = axesOfOrder(order, pose.world(), own);
+  const CameraAxes axes = axesOfOrder(order.second, pose.world(), own);
   if (poseFromRotation({}, {}, axes).world() != pose.world()) return nullptr;
   add("degrees", pose, axes);
   return angles;
