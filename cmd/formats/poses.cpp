@@ -139,6 +139,7 @@ std::optional<Json> poseIn(const PastedMatrix& m) {
   };
   const bool isTransposed =
       m.isByColumns || m.isCss || m.columns == 3 || (m.rows == 4 && !endsRigid(false) && endsRigid(true));
+  if (isTransposed && m.rows != 4) return std::nullopt;
   Json rows = Json::array();
   for (std::size_t i = 0; i < std::min(isTransposed ? m.columns : m.rows, std::size_t{4}); ++i) {
     rows.push_back(Json::array());
