@@ -296,6 +296,10 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
       });
   const bool isOfPixels = import_.hasFocalPixels || sets("projection.fx");
   if (import_.lacksAxes && import_.hasRotation && isOfPixels && !statesAxes) notes.push_back(name_ + ": " + kAxesNote);
+  if (import_.isTurnedByRpy && !statesAxes)
+    notes.push_back(name_ +
+                    ": rpy turns the camera's axes right, down, forward; --set cameraAxes=FLU if x is forward, as of a "
+                    "robot's camera_link");
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
   for (const std::string& each : import_.notes)
     if (!(each == kEnuNote && sets("world")) && !(each == kNoPoseNote && sets("position")) &&

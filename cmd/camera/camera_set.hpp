@@ -68,8 +68,9 @@ struct Import {
   std::string noun = "camera";  ///< in messages about picks
   /// Where the same cameras are in other worlds, which a pick that begins so has: "velodyne/". None if it does.
   std::vector<std::string> worlds = {};
-  bool mayLackPose = false;  ///< the file may give none; its cameras then stand at the origin
-  bool lacksAxes = false;    ///< it turns cameras, and says of no axes
+  bool mayLackPose = false;    ///< the file may give none; its cameras then stand at the origin
+  bool lacksAxes = false;      ///< it turns cameras, and says of no axes
+  bool isTurnedByRpy = false;  ///< by a robot's angles, but in the axes of a camera
   bool hasRotation = false, hasFocalPixels = false;
   bool hasTranslation = false;                       ///< positions are called tx, ty, tz
   std::vector<std::string> notes = {};               ///< on how its members are read

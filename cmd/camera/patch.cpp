@@ -166,9 +166,24 @@ void keepRange(const Document& document) {
   if (std::isfinite(matrix.zFar())) projection["far"] = matrix.zFar();
 }
 
+/// A field of view, laid over a K, takes its cx and cy away.
+void noteLostAxis(Document& document, std::span<const Patch> patches) {
+  std::string lost;
+  for (const std::string_view axis : {"cx", "cy"})
+    if (const Json* const value = valueAt(*document.root, "projection." + std::string(axis));
+        value && value->is_number())
+      lost += (lost.empty() ? "" : ", ") + std::string(axis) + " " + formatNumber(value->get<double>());
+  const auto angle = std::find_if(patches.begin(), patches.end(), [](const Patch& patch) {
+    return !patch.label.empty() && isAmong(patch.path, "projection.fovX projection.fovY");
+  });
+  if (!lost.empty() && angle != patches.end())
+    document.notes.push_back(document.name + ": " + angle->label + " replaces " + lost +
+                             " too: the axis is in the picture's middle; --fx and --fy keep them");
+}
+
 /// Sets the projection's type to one that all patches fit: the present type, if possible. Removes the fields that other
 /// types have.
-void applyType(const Document& document, std::span<const Patch> patches) {
+void applyType(Document& document, std::span<const Patch> patches) {
   Json& root = *document.root;
   std::uint8_t possible = kAllTypes;
   bool isNamed = false, decides = false;  // near, far and shift do not decide: they fit the present type
@@ -186,6 +201,7 @@ void applyType(const Document& document, std::span<const Patch> patches) {
                                  [&](const auto& row) { return (row.second & possible) != 0; });
   if (next == std::end(kTypeNames)) return;
   if (current && typeNamed(current) == kMatrix && valueAt(root, "projection.matrix")) keepRange(document);
+  noteLostAxis(document, patches);
   for (const Field& field : kFields)
     if (field.types != 0 && (field.types & next->second) == 0) removeField(root, field);
   root["projection"]["type"] = next->first;

@@ -127,6 +127,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   if (picture && picture->crop && file.projection)
     file.projection = cropped(*file.projection, picture->frame, *picture->crop);
   if (picture) file.viewport = picture->tile();
+  file.lacksSize = picture && picture->isSizeAssumed;
   if (const auto* const lens = values.find<LensNumbers>("distortion")) {
     if (typeOf(values) == kOrthographic)
       values.fail("distortion", "goes with a perspective, not with an orthographic projection");
@@ -163,7 +164,7 @@ CameraFile readNormalized(const Document& document, const ReadOptions& reading) 
 
 /// What is lost without the lens, in words: how far it shifts pixels.
 std::string lossWithout(const CameraFile& file) {
-  if (!file.pose || !file.projection || !file.viewport) return "";
+  if (!file.pose || !file.projection || !file.viewport || file.lacksSize) return "";
   const LensShift shift = lensShift(makeCamera(file));
   return ", up to " + formatDigits(shift.largest, 3) + " pixels" +
          (shift.behind > 0 ? "; " + std::to_string(shift.behind) + " of 289 positions look past 90 degrees and are lost"
@@ -202,6 +203,10 @@ CameraFile readCamera(Document document, const ReadOptions& reading) {
 void requireNear(const CameraFile& file, const std::string& what) {
   if (file.projection && !hasDepth(*file.projection))
     file.fail(what + " needs near, which " + file.name + " does not have; --near gives it");
+}
+
+void requireSize(const CameraFile& file, const std::string& what) {
+  if (file.lacksSize) file.fail(what + " needs the size of the picture; --viewport WIDTHxHEIGHT gives it");
 }
 
 void requireUp(const CameraFile& file, const std::string& what) {

@@ -25,6 +25,7 @@ struct CameraFile {
   CameraAxes cameraAxes = CameraAxes::RUB;                ///< for a pose in this world, from the convention's preset
   bool worldIsEcef = false;                               ///< Earth-centred metres: points may be lat, lon, height
   bool worldIsEnu = false;                                ///< east, north, up
+  bool lacksSize = false;                                 ///< the viewport's is none of its own
   bool isTyped = false;                                   ///< from options only, without a file
   bool statesConvention = false;
   std::optional<double> targetDistance;  ///< if the camera looks at a target
@@ -44,6 +45,9 @@ CameraFile readCamera(Document document, const ReadOptions& reading);
 inline bool hasDepth(const Projection& projection) { return projection.isOrthographic() || projection.zNear() > 0; }
 /// Fails if there is no near plane. what: the feature that needs it.
 void requireNear(const CameraFile& file, const std::string& what);
+
+/// Fails if the picture has no size. what: the feature that needs it.
+void requireSize(const CameraFile& file, const std::string& what);
 
 /// Whether the world says where north and up are.
 inline bool knowsUp(const CameraFile& file) { return file.worldIsEcef || file.worldIsEnu; }

@@ -37,10 +37,10 @@ struct ProjectionReader {
     if (near == 0) fail("needs near" + why);
   }
 
-  const Viewport& viewport(const std::string& why, const std::string& more = "") const {
+  const Viewport& viewport(const std::string& why) const {
     static constexpr Viewport kAny{.width = 1, .height = 1};
     if (!picture && !options.needsPicture) return kAny;
-    if (!picture) fail("needs a viewport" + why + "; --viewport WIDTHxHEIGHT gives one" + more);
+    if (!picture) fail("needs a viewport" + why + "; --viewport WIDTHxHEIGHT gives one");
     return picture->frame;
   }
 
@@ -123,9 +123,7 @@ struct ProjectionReader {
   /// middle.
   Projection intrinsics() const {
     const double fx = number("projection.fx"), fy = number("projection.fy");
-    const bool isPlaced = has("projection.cx") && has("projection.cy") && !has("projection.shift");
-    const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count",
-                                     isPlaced ? ", and only visible and outside depend on its size" : "");
+    const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
       requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures or ");
     const Viewport whole = pictureOfIntrinsics(values, frame);
@@ -193,7 +191,7 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
                                         const ReadOptions& options) {
   const bool isStated = valueAt(*values.document().root, "viewport") != nullptr;
   const auto* const pixels = values.find<Vec2>("projection.pixels");
-  const bool mayBeAny = options.raysAlone && typeOf(values) == kIntrinsics && values.has("projection.cx") &&
+  const bool mayBeAny = options.sizeMayLack && typeOf(values) == kIntrinsics && values.has("projection.cx") &&
                         values.has("projection.cy") && !values.has("viewport.width") &&
                         !values.has("viewport.height") && !values.has("projection.shift");
   const auto side = [&](FieldId field, FieldId center) {
@@ -202,7 +200,7 @@ std::optional<PictureFrame> readPicture(const FieldValues& values, const Documen
   };
   std::optional<PictureFrame> picture;
   if (isStated || pixels || mayBeAny) {
-    picture.emplace();
+    picture.emplace().isSizeAssumed = mayBeAny && !pixels;
     Viewport& v = picture->frame;
     v.width = pixels ? pixels->x : side("viewport.width", "projection.cx");
     v.height = pixels ? pixels->y : side("viewport.height", "projection.cy");

@@ -20,13 +20,14 @@ struct ReadOptions {
   bool ignoreDistortion = false;
   bool needsPicture = true;  ///< false: of a picture without a size, near, far and depths alone are right
   BoxLack boxMayLack = BoxLack::nothing;
-  bool raysAlone = false;  ///< of pixels: fx, fy, cx and cy need no size for them
+  bool sizeMayLack = false;  ///< where fx, fy, cx and cy count pixels, which need none
 };
 
 /// A picture, and the tile of it that the camera has.
 struct PictureFrame {
   Viewport frame;
   std::optional<Crop> crop;
+  bool isSizeAssumed = false;  ///< see ReadOptions::sizeMayLack
 
   Viewport tile() const { return crop ? cropped(frame, *crop) : frame; }
 };

@@ -42,8 +42,8 @@ class CameraOptions {
   void takeAnyPosition() { takesAnyPosition_ = true; }
   /// The viewport of a camera that has none.
   void assumeViewport(double width, double height) { otherwise_ = {width, height}; }
-  /// For a command that asks for rays of pixels alone: see ReadOptions.
-  void readForRays() { readsForRays_ = true; }
+  /// For a command whose pixels need no size of the picture: see ReadOptions.
+  void takeAnySize() { takesAnySize_ = true; }
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
@@ -52,7 +52,7 @@ class CameraOptions {
   std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll(bool mayLack = false) const;
   /// How they are read.
   ReadOptions reading(bool needsPicture = true, BoxLack boxMayLack = BoxLack::nothing) const {
-    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack, readsForRays_};
+    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_, boxMayLack, takesAnySize_};
   }
   CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true,
                      BoxLack boxMayLack = BoxLack::nothing) const;
@@ -98,7 +98,7 @@ class CameraOptions {
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesAll_ = false, takesAnyLens_ = false, takesAnyPosition_ = false, showsMatrices_ = false, onlyReads_ = true,
-       readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false, readsForRays_ = false;
+       readsDepth_ = false, allowStretch_ = false, ignoreDistortion_ = false, takesAnySize_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -358,7 +358,7 @@ void writeWhole(const InfoOptions& o, const std::string& text) try {
   if (!file.projection || file.viewport || o.report.form() != ReportForm::table) return;
   const FieldValues values = readValues(file.document);
   const Vec2 middle{values.valueOr("projection.cx", 0.0), values.valueOr("projection.cy", 0.0)};
-  writeCommand(o, " --viewport " + sizeIn(text, middle, 0));
+  writeCommand(o, viewportOption(sizeIn(text, middle, 0)));
   if (file.pose) writeOutput("\n" + tableText({{"eye", asJson(file.pose->eye())}}, o.report.digits()));
 } catch (const InputError&) {  // NOLINT: it lacks more
 }

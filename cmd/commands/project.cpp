@@ -72,14 +72,31 @@ Vec4 edgesOf(P p) {
   const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
   return {box.left, box.top, box.right, box.bottom};
 }
+/// Without the sides of a picture that has no size.
+ScreenPoint knownOf(P p) {
+  ScreenPoint known = p.screen;
+  if (p.from.lacksSize) known.outside &= sideNear | sideFar;
+  return known;
+}
+/// Nothing where it depends on the size of a picture that has none.
+void addVisible(P p, V values) {
+  const bool mayBe = knownOf(p).visible() && !p.isHidden;
+  if (mayBe && p.from.lacksSize) return values.add(kNaN);
+  values.add(mayBe);
+}
+void addOutside(P p, V values) {
+  const ScreenPoint known = knownOf(p);
+  if (p.from.lacksSize && known.visible() && !p.isHidden) return values.add(kNaN);
+  addSides(values, known, p.isHidden);
+}
 
 // clang-format off
 constexpr PointResult kPointResults[] = {
     {results::screen, [](P p, V values) { values.add(Vec2{p.screen.x, p.screen.y}); }},
     {results::depth, [](P p, V values) { values.add(p.screen.depth); }},
     {results::viewDistance, [](P p, V values) { values.add(p.screen.viewDistance); }},
-    {results::visible, [](P p, V values) { values.add(p.screen.visible() && !p.isHidden); }},
-    {results::outside, [](P p, V values) { addSides(values, p.screen, p.isHidden); }},
+    {results::visible, addVisible},
+    {results::outside, addOutside},
     {results::ndc, [](P p, V values) { values.add(xyz(pointIn(Space::ndc, p))); }},
     {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
     {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},
@@ -151,6 +168,9 @@ struct Projecting {
 /// Whether there is no such result without near.
 bool needsNear(const PointResult* result) { return &result->row == &results::ndc || &result->row == &results::clip; }
 
+/// Whether there is no such result without a size of the picture.
+bool needsSize(const PointResult* result) { return needsNear(result) || &result->row == &results::screenBox; }
+
 bool needsUp(const PointResult* result) {
   return &result->row == &results::azimuth || &result->row == &results::elevation;
 }
@@ -158,11 +178,13 @@ bool needsUp(const PointResult* result) {
 /// Throws for a camera that has no results that --fields names: without near, or in a world without up.
 void requireFor(const Fields& fields, const CameraFile& file) {
   if (!fields.ofShapes.empty()) return;
-  for (const PointResult* result : fields.named)
+  for (const PointResult* result : fields.named) {
+    if (needsSize(result)) requireSize(file, "--fields " + std::string(result->row.name));
     if (needsNear(result) || &result->row == &results::depth)
       requireNear(file, "--fields " + std::string(result->row.name));
     else if (needsUp(result))
       requireUp(file, "--fields " + std::string(result->row.name));
+  }
 }
 
 /// A segment among the points.
@@ -326,6 +348,8 @@ class Projector final : public RecordProcessor {
   static constexpr std::size_t kPoint = ~std::size_t{0};
 
   static void requireEdges(const std::string& what, const RecordCamera& camera) {
+    if (camera.lacksSize)
+      throw RecordError(0, what + " needs the size of the picture; --viewport WIDTHxHEIGHT gives it");
     if (!camera.frustum)
       throw RecordError(
           0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
@@ -444,15 +468,20 @@ int run(const Options& o) {
   StreamSetup setup = o.stream.setup(hasMiss ? kPairColumns : asksForBoxes ? kSphereColumns : kPointColumns);
   o.stream.reads(setup);
   Fields fields = fieldsOf(o.fields);
-  const RecordCameras cameras =
-      o.cameras.read(o.camera, setup, [&](const CameraFile& file) { requireFor(fields, file); });
+  const RecordCameras cameras = o.cameras.read(o.camera, setup, [&](const CameraFile& file) {
+    requireFor(fields, file);
+    if (setup.visibleOnly) requireSize(file, "--visible");
+  });
   const bool hasUsualNumbers = fields.numbers == fieldsOf({}).numbers;
   if (const CameraFile* const file = cameras.first()) {
     for (auto* rows : {&fields.named, &fields.numbers})  // of all results, those that would be null are left out
       std::erase_if(*rows, [&](const PointResult* result) {
-        return (needsNear(result) && !hasDepth(*file->projection)) || (needsUp(result) && !knowsUp(*file));
+        return (needsNear(result) && !hasDepth(*file->projection)) || (needsUp(result) && !knowsUp(*file)) ||
+               (needsSize(result) && file->lacksSize);
       });
     o.camera.noteHandedness(*file);
+    if (file->lacksSize)
+      note(file->name + ": its picture has no size: visible and outside are null; --viewport WIDTHxHEIGHT tells them");
   }
   o.stream.settleOnEarth(setup, cameras.worldIsEcef());
   Projecting how{.cameras = cameras,
@@ -491,6 +520,7 @@ Action declareProject(CLI::App& app) {
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addPrecision(app, o->precision);
   addModel(app, o->models, "Where the points' model stands in the world");
+  o->camera.takeAnySize();
   o->camera.add(app);
   o->cameras.add(app, true);
   o->camera.addWriting(app);

@@ -360,7 +360,7 @@ Action declareRay(CLI::App& app) {
   addValue(app, "--fields", "NAMES", o->fields, readFields,
            withNames("Results, or all", known(fieldNames()), "origin, direction, point, hit"));
   addModel(app, o->models, "Results, but distances, in the model's coordinates");
-  o->camera.readForRays();
+  o->camera.takeAnySize();
   o->camera.add(app);
   o->camera.addReversed(app);
   o->cameras.add(app, false);

@@ -437,7 +437,7 @@ Action declareTriangulate(CLI::App& app) {
       "Add the misses, given minus computed (--to json)");
   o->stream.add(app, "pixels");
   removeOption(app, "--jobs");
-  o->camera.readForRays();
+  o->camera.takeAnySize();
   o->camera.add(app);
   return [o] { return runTriangulate(*o); };
 }

@@ -169,13 +169,24 @@ bool hasPosesAlone(std::string_view text) {
          std::all_of(printed.begin(), printed.end(), [](const auto& pose) { return isRigid(*numbersIn(pose.second)); });
 }
 
+/// The likeliest line of parts that has a lens, with what it leaves open; or empty.
+std::string lineOf(const Document& file) {
+  constexpr std::size_t kMostNames = 6;
+  const Proposal proposal = proposeParts(file);
+  const auto line = std::find_if(proposal.lines.begin(), proposal.lines.end(),
+                                 [](const ProposedLine& proposed) { return proposed.hasLens; });
+  if (line == proposal.lines.end()) return "";
+  return "; it may be read by " + optionsOf(*line) +
+         (line->decide.empty() ? "" : "; decide: " + joined(line->decide, "; ")) +
+         (proposal.leftOut.empty() ? "" : "; it leaves out " + visible(someOf(proposal.leftOut, kMostNames)));
+}
+
 [[noreturn]] void failUnknown(const Document& file) {
-  std::string line;  // if it says all of a camera, and a pose of one direction
-  for (const ProposedLine& proposed : proposeParts(file).lines)
-    if (line.empty() && proposed.hasLens && !proposed.pose.empty() && !proposed.isEitherWay)
-      line = "; it may be read by " + optionsOf(proposed);
+  std::string line = lineOf(file);
   if (file.isPlainText && file.text && hasPosesAlone(*file.text))
-    line += "; as a pose it is for --camera-from-world FILE, of a view, or --world-from-camera FILE";
+    line +=
+        "; as a pose it is for --camera-from-world FILE, of a view, or --world-from-camera FILE, with --set "
+        "cameraAxes=RUB where the camera looks along its -z";
   throw UnknownFile(file.name + ": is not a camera file of a known kind" + filesNamedBy(file) + line +
                         "; viewproj info FILE tells what is in it, viewproj help formats lists the kinds",
                     file);
@@ -246,7 +257,9 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     return openCameraDocument(*file);
   }
   if (!file->fault.empty())
-    throw UnknownFile(file->fault + (holdsParts(*file) ? "; viewproj info FILE tells what it has as text" : ""), *file);
+    throw UnknownFile(
+        file->fault + lineOf(*file) + (holdsParts(*file) ? "; viewproj info FILE tells what it has as text" : ""),
+        *file);
   failUnknown(*file);
 }
 

@@ -26,11 +26,13 @@ std::unique_ptr<CameraSet> openDocument(Document document, const Opening& openin
 }
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
-  if (opening.parts && !patches.readAs.empty())
+  if (opening.parts && !patches.readAs.empty()) {
+    const bool isEngine = patches.readAs == "unreal" || patches.readAs == "unity";
+    const bool turns = isEngine && opening.parts->find("euler") != std::string::npos;
     throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as, or say " +
-                     (patches.readAs == "unreal" || patches.readAs == "unity"
-                          ? "--set convention=" + patches.readAs + " --set euler.order=" + patches.readAs
-                          : "--set cameraAxes=RUB for the axes of OpenGL"));
+                     (isEngine ? "--set convention=" + patches.readAs : "--set cameraAxes=RUB for the axes of OpenGL") +
+                     (turns ? " --set euler.order=" + patches.readAs : ""));
+  }
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
   if (!model)
     return openDocument(

@@ -130,6 +130,11 @@ PoseFactor factorOf(const std::string& source, const Opening& opening, const std
   return factor;
 }
 
+bool isRpy(const Json& pose) {
+  const Json* const order = pose.is_object() ? valueAt(pose, "euler.order") : nullptr;
+  return order && *order == "rpy";
+}
+
 bool isPose(const Field& field) { return field.group == Group::pose && field.path != "cameraAxes"; }
 
 /// What a document says of its axes, and where its camera stands.
@@ -238,6 +243,10 @@ Import atPoses(Import result, const Opening& opening, std::string& name, bool ha
         !factor.cameras.front().name.empty())
       several = &factor;
   if (!isKept) result.lacksAxes = result.hasTranslation = false;
+  const PoseFactor& last = isWorldFirst ? factors->back() : factors->front();
+  if (hasFile && !last.isOfCamera && isRpy(last.cameras.front().document()[last.field]))
+    result.isTurnedByRpy =
+        Stand(Document{name, std::make_shared<Json>(result.cameras.front().document())}).axes == CameraAxes::RDF;
   for (const std::string& world : std::exchange(result.worlds, {}))
     if (!isKept)
       result.notes.push_back("if the poses are of " + frameOf(world) + ", use " +

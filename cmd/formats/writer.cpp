@@ -241,7 +241,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      std::string(writer.name) + " holds " + (most == 1 ? "one" : std::to_string(most)) +
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
-  bool isFromBottom = false, isOnEarth = false;
+  bool isOffCorner = false, isFromBottom = false, isOnEarth = false;
   double moved = 0;             // cx and cy
   double off = 0;               // a rotation
   std::set<std::string> given;  // that a camera lacks
@@ -267,6 +267,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
     if (!(lacks(kFirstAtZero) && lacks(kFirstAtHalf)) &&
         (!file.isTyped || valueAt(*file.document.root, "projection.cx")))
       moved = (lacks(kFirstAtZero) ? 0.5 : 0) - file.viewport->pixelCenter;
+    isOffCorner = isOffCorner || (file.viewport && (file.viewport->x != 0 || file.viewport->y != 0));
     isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
     off = std::max(off, lacks(kQuaternions) || !file.pose ? 0 : rotationError(*file.pose));
@@ -279,9 +280,9 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   std::vector<std::string_view> left;
   if (hasPicture && !lacks(kPosesAlone)) left.push_back("lens");
   if (hasSize && lacks(kSizePlace)) left.push_back("size");
+  if (isOffCorner && lacks(kPixels)) left.push_back("the viewport's x and y");
   if (hasNear && lacks(kNearPlace)) left.push_back("near");
   if (hasFar && lacks(kNearPlace)) left.push_back("far");
-  if (isFromBottom) left.push_back("origin");
   if (hasDepths) left.push_back("depthRange");
   if (hasName && lacks(kNamePlace)) left.push_back(cameras.size() == 1 ? "name" : "names");
   std::string told = left.empty() ? "" : form + " has no place for " + together(left) + ": left out";
@@ -295,6 +296,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
     told += (told.empty() ? form : "; it") + " counts the centre of the first pixel as " +
             (lacks(kFirstAtZero) ? "0.5" : "0") + ": cx, cy and pixels are " + formatNumber(std::fabs(moved)) +
             (moved > 0 ? " larger" : " smaller");
+  if (isFromBottom) told += (told.empty() ? form : "; it") + " counts pixels' y from the top, not the bottom";
   if (isOnEarth && lacks(kEarthPlace) && !lacks(kPosePlace))
     told += (told.empty() ? form : "; it") +
             " has positions in metres from the Earth's centre, which a program with float32 rounds to half a metre";

@@ -199,11 +199,12 @@ class CsvWriter final : public RecordWriter {
         return appendNumberCell(*values.number++);
       case ResultKind::flag:
         out_ += setup_.separator;
-        out_ += *values.number++ != 0 ? std::string_view("true") : std::string_view("false");
+        out_ += flagText(*values.number++, "");
         return;
       case ResultKind::vector:
         return appendVector(row, values.vector(row.size));
       case ResultKind::names:
+        if (values.skipsNone()) return (void)(out_ += setup_.separator);
         return appendNames(values.names(values.count()));
       case ResultKind::word:
         return appendCell(*values.word++);

@@ -198,11 +198,12 @@ class JsonWriter final : public RecordWriter {
       case ResultKind::number:
         return appendNumber(out_, toDigits(*values.number++, setup_.stream.digits));
       case ResultKind::flag:
-        out_ += *values.number++ != 0 ? std::string_view("true") : std::string_view("false");
+        out_ += flagText(*values.number++, "null");
         return;
       case ResultKind::vector:
         return appendVector(values.vector(row.size));
       case ResultKind::names:
+        if (values.skipsNone()) return (void)(out_ += "null");
         return appendNames(values.names(values.count()));
       case ResultKind::word:
       case ResultKind::json: {

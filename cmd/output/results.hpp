@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -55,7 +56,7 @@ using ResultRows = std::vector<const ResultRow*>;
 /// The results of a record, in the order of its rows. A number or a flag (0 or 1) is a number, a vector its numbers, a
 /// word or a JSON text a word, which is empty where there is none. Names are their count, a number, and the words. A
 /// group is 1 and the values of its parts, or 0 where there is none; a list its length and the values of each item. A
-/// number that is not finite has no value, nor has a vector with one.
+/// number that is not finite has no value, nor has a vector with one; so has a flag or the count of names.
 struct ResultValues {
   std::vector<double> numbers;
   std::vector<std::string_view> words;
@@ -84,6 +85,10 @@ struct ResultValues {
   }
 };
 
+inline std::string_view flagText(double flag, std::string_view none) {
+  return std::isnan(flag) ? none : flag != 0 ? "true" : "false";
+}
+
 /// Reads values in the order of the rows.
 struct ResultCursor {
   const double* number;
@@ -91,6 +96,8 @@ struct ResultCursor {
 
   explicit ResultCursor(const ResultValues& values) : number(values.numbers.data()), word(values.words.data()) {}
   std::size_t count() { return static_cast<std::size_t>(*number++); }
+  /// Whether names are unknown, which are then passed.
+  bool skipsNone() { return std::isnan(*number) && (++number, true); }
   /// Empty where one of them is not finite.
   std::span<const double> vector(std::size_t size);
   std::span<const std::string_view> names(std::size_t size) {

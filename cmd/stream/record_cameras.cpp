@@ -72,6 +72,8 @@ RecordCamera::RecordCamera(const CameraFile& file, std::string named) : RecordCa
   convention = file.convention;
   worldIsEcef = file.worldIsEcef;
   knowsUp = cmd::knowsUp(file);
+  lacksSize = file.lacksSize;
+  if (lacksSize) frustum.reset();
 }
 
 RecordCameras::RecordCameras(const Camera& one) {

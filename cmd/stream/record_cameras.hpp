@@ -27,7 +27,8 @@ struct RecordCamera {
   Convention convention = {};  ///< of its file
   bool worldIsEcef = false;
   bool knowsUp = false;                 ///< the world does: on the Earth, or of east, north and up
-  std::optional<Frustum> frustum = {};  ///< nothing where a lens bends its edges
+  bool lacksSize = false;               ///< its picture does
+  std::optional<Frustum> frustum = {};  ///< nothing where a lens bends its edges, or the picture has no size
 
   explicit RecordCamera(const Camera& of);
   RecordCamera(const CameraFile& file, std::string named);

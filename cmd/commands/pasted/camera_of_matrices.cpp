@@ -14,6 +14,7 @@
 #include "output/report.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
+#include "text/pasted_parts.hpp"
 #include "text/utf8.hpp"
 #include "viewproj/matrices.hpp"
 
@@ -59,10 +60,19 @@ std::vector<std::string> othersIn(const Document& file, const std::vector<Pasted
   return pathsOfOthers(file, known);
 }
 
+/// Whether they are called the picture's size: imageResolution, img.shape with its channels.
+bool isSize(const PassedOver& over) {
+  const std::string name = pasted::lower(over.name);
+  constexpr std::string_view kWords[] = {"size", "resolution", "shape"};
+  return (over.numbers == 2 || over.numbers == 3) &&
+         std::any_of(std::begin(kWords), std::end(kWords), [&](std::string_view word) { return name.ends_with(word); });
+}
+
 /// Whether the text has no other numbers with a name or in a list, which may be a distortion or a place.
 bool holdsNoOther(const PastedMatrices& pasted) {
-  return std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(),
-                     [](const PassedOver& over) { return over.name.empty() && !(over.isList && over.numbers > 2); });
+  return std::all_of(pasted.passedOver.begin(), pasted.passedOver.end(), [](const PassedOver& over) {
+    return isSize(over) || (over.name.empty() && !(over.isList && over.numbers > 2));
+  });
 }
 
 /// Whether a preset has its world, range of depth and NDC y.
@@ -72,31 +82,67 @@ bool isOfPreset(const Reading& r) {
   });
 }
 
-/// The presets that choose between these readings, those of the first one first; of a reading those that have all of
-/// it, if there are such.
+/// The presets that choose this reading, those of its own vectors first; those that have all of it, if there are such.
+std::vector<std::string_view> presetsOf(const Reading& reading, const std::vector<Reading>& readings,
+                                        bool isInMemoryOrder) {
+  std::vector<std::string_view> whole, ofOtherVectors, others;
+  for (const ConventionPreset& preset : conventionPresets()) {
+    const std::vector<Reading> chosen = readingsIn(readings, preset, isInMemoryOrder);
+    if (chosen.empty() || chosen.front().kind != reading.kind || chosen.front().layout != reading.layout ||
+        chosen.front().camera->convention != reading.camera->convention)
+      continue;
+    const bool hasAll = differences(reading, preset).empty();
+    (!hasAll ? others : fits(reading, preset, isInMemoryOrder) ? whole : ofOtherVectors).push_back(preset.name);
+  }
+  whole.insert(whole.end(), ofOtherVectors.begin(), ofOtherVectors.end());
+  return whole.empty() ? others : whole;
+}
+
+/// The presets that choose between these readings, those of the first one first.
 std::vector<std::string_view> presetsOf(const std::vector<Reading>& readings, bool isInMemoryOrder) {
   std::vector<std::string_view> names;
-  for (const Reading& reading : readings) {
-    const std::size_t before = names.size();
-    for (const bool isWhole : {true, false})
-      for (const ConventionPreset& preset : conventionPresets()) {
-        if (names.size() > before && !isWhole) break;
-        const std::vector<Reading> chosen = readingsIn(readings, preset, isInMemoryOrder);
-        const bool isThis = !chosen.empty() && chosen.front().kind == reading.kind &&
-                            chosen.front().layout == reading.layout &&
-                            chosen.front().camera->convention == reading.camera->convention;
-        const bool isNew = std::find(names.begin(), names.end(), preset.name) == names.end();
-        if (isThis && isNew && (!isWhole || differences(reading, preset).empty())) names.push_back(preset.name);
-      }
-  }
+  for (const Reading& reading : readings)
+    for (const std::string_view name : presetsOf(reading, readings, isInMemoryOrder))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names.empty() ? std::vector<std::string_view>{"NAME"} : names;
 }
 
+/// What each of the readings says and not all do: {"ndcZ 0..1, near 0.5", ...}.
+std::vector<std::string> whatDiffers(const std::vector<Reading>& readings) {
+  std::vector<std::string> all(readings.size());
+  const auto add = [&](const auto& factOf) {
+    std::vector<std::string> facts;
+    std::transform(readings.begin(), readings.end(), std::back_inserter(facts), factOf);
+    if (std::equal(facts.begin() + 1, facts.end(), facts.begin())) return;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!facts[i].empty()) all[i] += (all[i].empty() ? "" : ", ") + facts[i];
+  };
+  add([](const Reading& r) { return std::string(nameOf(kReadingKinds, r.kind)); });
+  add([](const Reading& r) { return std::string(r.layout == MatrixLayout::transposed ? "transposed" : "as written"); });
+  add([](const Reading& r) { return "view " + std::string(nameOf(kViewNames, r.camera->convention.view)); });
+  add([](const Reading& r) { return "ndcY " + std::string(nameOf(kNdcYNames, r.camera->convention.ndcY)); });
+  add([](const Reading& r) { return "ndcZ " + std::string(nameOf(kNdcZNames, r.camera->convention.ndcZ)); });
+  add([](const Reading& r) {
+    const auto& lens = r.camera->lens;
+    return lens && lens->depthFault.empty() ? "near " + formatDigits(lens->zNear.value, 3) : std::string();
+  });
+  return all;
+}
+
 [[noreturn]] void failAmbiguous(const std::string& name, const std::vector<Reading>& readings, bool isInMemoryOrder) {
+  const std::vector<std::string> facts = whatDiffers(readings);
+  constexpr std::size_t kMostWays = 4, kMostPresets = 5;
+  std::string ways;
+  for (std::size_t i = 0; i < std::min(readings.size(), kMostWays); ++i) {
+    std::vector<std::string_view> presets = presetsOf(readings[i], readings, isInMemoryOrder);
+    if (presets.size() > kMostPresets) presets.resize(kMostPresets);
+    ways += (i == 0 ? ": " : "; ") + facts[i] + (presets.empty() ? "" : " (--read-as " + alternatives(presets) + ")");
+  }
+  const bool areOfKinds =
+      std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return r.kind != readings.front().kind; });
   throw AmbiguousMatrix(name + ": can be read in " + std::to_string(readings.size()) +
-                        " ways, which give different matrices; --read-as " +
-                        alternatives(presetsOf(readings, isInMemoryOrder)) +
-                        " chooses, and for matrix --which NAME too; viewproj info lists them");
+                        " ways, which give different matrices" + ways +
+                        (areOfKinds ? "; of matrix --which KIND chooses too" : "") + "; viewproj info lists them");
 }
 
 /// Notes that a camera is made without near and far, since its readings have others.
@@ -255,9 +301,9 @@ std::string_view presetOf(const KnownMatrices& known) {
   return "";
 }
 
-std::string sizeBeside(const std::string& text, const Reading& reading) {
+std::optional<Vec2> sizeBeside(const std::string& text, const Reading& reading) {
   if (reading.pixels) return sizeIn(text, Vec2{reading.pixels->cx, reading.pixels->cy}, 0);
-  if (!reading.camera || !reading.camera->lens) return "WIDTHxHEIGHT";
+  if (!reading.camera || !reading.camera->lens) return std::nullopt;
   const MatrixLens& lens = *reading.camera->lens;
   return sizeIn(text, {}, (lens.right - lens.left) / (lens.top - lens.bottom));
 }
@@ -270,8 +316,7 @@ std::string optionsOf(const std::vector<ReadMatrix>& matrices, const std::string
                           *const lens = known.only(ReadingKind::projection),
                           *const product = known.only(ReadingKind::viewProjection);
   const ReadMatrix* const shape = calibration ? calibration : lens ? lens : product;
-  const std::string viewport =
-      " --viewport " + (shape ? sizeBeside(text, shape->found.readings.front()) : "WIDTHxHEIGHT");
+  const std::string viewport = viewportOption(shape ? sizeBeside(text, shape->found.readings.front()) : std::nullopt);
   std::string preset(presetOf(known));
   if (!preset.empty()) return " --read-as " + preset + viewport;
   if (isTree) return "";
@@ -421,6 +466,8 @@ std::optional<std::string> cameraIn(const UnknownFormat& file, const std::string
               {"RadialDistortion", {0, 0}},
               {"TangentialDistortion", {0, 0}}};
   if (stand) camera[anyView ? "w2c" : "c2w"] = set.matrices.front().matrix.m;
+  if (std::any_of(pasted.passedOver.begin(), pasted.passedOver.end(), isSize))
+    if (const auto size = sizeBeside(file.text, reading)) camera.update({{"width", size->x}, {"height", size->y}});
   return camera.dump();
 }
 

@@ -184,7 +184,7 @@ KindHint hintIn(std::string_view text, bool isName) {
   // w2c is OpenCV's, as camera libraries of neural rendering write it; 3DGS has it transposed as world_view_transform.
   hint.isTransposed = has({"_world_view_transform", "_full_proj_transform"});
   isOfVision = isOfVision || hint.isTransposed || has({"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"});
-  if (has({"_simd", "_arkit", "_arframe", "_arcamera"})) hint.axes = ViewAxes::RUB;
+  if (has({"_simd", "_arkit", "_arframe", "_arcamera", "_bpy", "_matrix_world", "_opengl"})) hint.axes = ViewAxes::RUB;
   if (has({"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})) hint.axes = ViewAxes::RUF;
   if (isOfVision) hint.axes = ViewAxes::RDF;
   return hint;
@@ -228,7 +228,7 @@ std::string fovIn(const std::string& text) {
   return " --fov-y DEGREES";
 }
 
-std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect) {
+std::optional<Vec2> sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect) {
   constexpr double kMiddle = 0.2, kSquare = 2e-3, kLeast = 16, kMost = 65535;
   const auto fits = [&](double width, double height) {
     if (middle)
@@ -248,8 +248,12 @@ std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, d
         sizes.emplace(number, before);
       before = isSide ? number : 0;
     }
-  return sizes.size() == 1 ? formatNumber(sizes.begin()->first) + "x" + formatNumber(sizes.begin()->second)
-                           : "WIDTHxHEIGHT";
+  if (sizes.size() != 1) return std::nullopt;
+  return Vec2{sizes.begin()->first, sizes.begin()->second};
+}
+
+std::string viewportOption(const std::optional<Vec2>& size) {
+  return " --viewport " + (size ? formatNumber(size->x) + "x" + formatNumber(size->y) : "WIDTHxHEIGHT");
 }
 
 bool countsFromOne(const PastedMatrix& m) {

@@ -80,9 +80,11 @@ bool countsFromOne(const PastedMatrix& matrix);
 
 /// " --fov-y 70" of "fov = 70" in a text, else " --fov-y DEGREES".
 std::string fovIn(const std::string& text);
-/// "1920x1080" of two whole numbers in a text, in either order, of a picture with its middle there, or else of this
-/// aspect; of none, or several, WIDTHxHEIGHT.
-std::string sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect);
+/// Two whole numbers in a text, in either order, that are the size of a picture with its middle there, or else of this
+/// aspect; nothing where there are none, or several.
+std::optional<Vec2> sizeIn(const std::string& text, const std::optional<Vec2>& middle, double aspect);
+/// " --viewport 1920x1080", or WIDTHxHEIGHT.
+std::string viewportOption(const std::optional<Vec2>& size);
 
 /// Keeps the readings that are better, where some are.
 template <class IsBetter>

@@ -232,8 +232,13 @@ std::vector<std::string> notesOn(const Reading& r, const PastedMatrix& m) {
     notes.emplace_back(
         "It is mirrored: it goes between a left-handed world and a right-handed view, as Unity's, or an axis is "
         "flipped.");
-  if (!camera.lens || camera.lens->orthographic) return notes;
+  if (!camera.lens) return notes;
   const MatrixLens& lens = *camera.lens;
+  if (lens.orthographic && camera.convention.ndcY == NdcY::down && r.kind == ReadingKind::projection)
+    notes.emplace_back(
+        "It is read as Vulkan's. Of OpenGL or Direct3D, as glm::ortho(0, width, height, 0), its y runs down from the "
+        "picture's top: count pixels with --set viewport.origin=bottom-left.");
+  if (lens.orthographic) return notes;
   if (!lens.depthFault.empty()) notes.push_back("Of its depth nothing is known: " + lens.depthFault + ".");
   const double fov = angleOf(lens.bottom, lens.top), aspect = (lens.right - lens.left) / (lens.top - lens.bottom);
   const bool isFlipped = r.kind == ReadingKind::viewProjection && detail::maxAbs(camera.pose->eye()) == 0;

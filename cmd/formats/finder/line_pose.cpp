@@ -151,6 +151,8 @@ void putAim(LineDraft& line, const Candidate& first, const Candidates& all) {
       const auto up = bestOf(first, all, "up");
       line.add("up", up ? up->parts : std::vector<Chosen>{}, 0, up ? "" : "0+0+1");
       if (!up) line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
+      line.ask.emplace_back(
+          "a right-handed world; --set convention=unity where it is left-handed with y up, =unreal with z up");
       return;
     }
 }
