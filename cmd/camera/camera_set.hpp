@@ -25,7 +25,8 @@ inline constexpr const char* kAxesNote =
 /// Where a position is called tx, ty, tz.
 inline constexpr const char* kTranslationNote =
     "tx, ty, tz are read as the camera's position, as TUM and ROS mean them, and not as a translation of "
-    "cameraFromWorld, as COLMAP's";
+    "cameraFromWorld, as COLMAP's; --parts with cameraFromWorld.translation=*.tx+*.ty+*.tz and "
+    "cameraFromWorld.quaternion=*.qx+*.qy+*.qz+*.qw reads those";
 
 /// Where a heading turns a camera in x, y, z.
 inline constexpr const char* kEnuNote =

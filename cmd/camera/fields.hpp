@@ -226,7 +226,7 @@ inline constexpr Field kFields[] = {
     {"viewport.x", Kind::number, "Screen position of its corner. Default: 0."},
     {"viewport.y", Kind::number, "Screen position of its corner. Default: 0."},
     {"viewport.depthRange", Kind::range, "Depth at near, far; reverseZ swaps. Default: 0, 1."},
-    wordField("viewport.origin", wordsOf<kOriginNames>, "Default: top-left."),
+    wordField("viewport.origin", wordsOf<kOriginNames>, "Of y: Unity's is bottom-left. Default: top-left."),
     {"viewport.pixelCenter", Kind::number, "0.5, as COLMAP, NeRF; opencv 0: ROS, KITTI, Kalibr."},
     {"viewport.crop.x", Kind::number, "A tile of the viewport, in its pixels."},
     {"viewport.crop.y", Kind::number, "A tile of the viewport, in its pixels."},

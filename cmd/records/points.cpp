@@ -184,7 +184,7 @@ NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) 
   if (schema.size != 3 && !(isJson && schema.size == 4))
     failWithCount(record, std::string("x y z") +
                               (isJson            ? " or x y z w"
-                               : schema.size > 3 ? "; --columns 1,2,3 picks three, x,y,z,w takes four"
+                               : schema.size > 3 ? "; --columns picks three: 1,2,3, or 2,3,4 behind an id; x,y,z,w takes four"
                                                  : "") +
                               matrix);
   if (reading.worldIsEcef && schema.size == 3 && !isBinary(schema.form))
