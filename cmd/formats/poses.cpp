@@ -219,7 +219,14 @@ std::optional<Json> jointPose(const Document& file, const std::optional<std::str
       (valueAt(**joint, "origin") != origins.front() || leadsTo(linkOf(**joint, "parent")) != joints.end()))
     throw InputError(file.name + ": " + inQuotes(*name) + " is a joint and a link, which have other poses");
   if (origins.size() == 1) return poseOfOrigin(*origins.front());
-  if (!name || joints.empty()) return std::nullopt;
+  if (joints.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const Json* joint : joints) names.push_back(joint->value("@name", "") + " to " + linkOf(*joint, "child"));
+  constexpr std::size_t kMost = 8;
+  const std::string known = "its joints are " + visible(someOf(names, kMost));
+  if (!name)
+    throw InputError(file.name + ": " + known +
+                     "; FILE#JOINT is a joint's own origin, FILE#LINK all the way from the root to a link");
   Json chain = Json::array();
   for (std::string link = *name; chain.size() < joints.size();) {
     const auto joint = leadsTo(link);
@@ -235,11 +242,9 @@ std::optional<Json> jointPose(const Document& file, const std::optional<std::str
     link = linkOf(moved, "parent");
   }
   if (!chain.empty()) return chain;
-  std::vector<std::string> names;
-  for (const Json* joint : joints) names.push_back(joint->value("@name", "") + " to " + linkOf(*joint, "child"));
-  constexpr std::size_t kMost = 8;
-  throw InputError(file.name + ": has no joint or link " + inQuotes(*name) + "; its joints are " +
-                   visible(someOf(names, kMost)));
+  if (std::any_of(joints.begin(), joints.end(), [&](const Json* each) { return linkOf(*each, "parent") == *name; }))
+    return Json{{"translation", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}};  // the root
+  throw InputError(file.name + ": has no joint or link " + inQuotes(*name) + "; " + known);
 }
 
 extern const Format kPoses{"poses", "poses without a lens",

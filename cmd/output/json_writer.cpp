@@ -90,22 +90,27 @@ class JsonWriter final : public RecordWriter {
 
   void beginBlock(std::string_view closing) override {
     closing_ = closing;
-    // An array that goes on has a record already. What is between the blocks of the one array of --to json, the
-    // ordered output writes.
-    isFirst_ = !setup_.keepArrays;
+    isFirst_ = true;
+    goesOn_ = !closing.empty();
+    joint_ = BlockJoint::none;
   }
   std::string_view closing() const override { return closing_; }
+  BlockJoint joint() const override { return joint_; }
 
   void beginArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
     out_ += asWritten;
     closing_ = asWritten.starts_with('{') ? "]}" : "]";
     isFirst_ = true;
+    goesOn_ = false;
   }
 
   void endArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
-    if (!isFirst_) out_ += '\n';
+    if (!isFirst_)
+      out_ += '\n';
+    else if (goesOn_)
+      joint_ = BlockJoint::end;
     out_ += asWritten.empty() ? closing_ : asWritten;
     out_ += '\n';
     closing_ = "";
@@ -144,7 +149,9 @@ class JsonWriter final : public RecordWriter {
     if (closing_.empty()) return;
     if (!isFirst_)
       out_ += ",\n";
-    else if (setup_.keepArrays)
+    else if (goesOn_)
+      joint_ = BlockJoint::record;
+    else
       out_ += '\n';
   }
   void endItem() {
@@ -277,7 +284,9 @@ class JsonWriter final : public RecordWriter {
 
   const WriterSetup& setup_;
   std::string_view closing_;  ///< of the array that is open
-  bool isFirst_ = false;      ///< the next record is the first of its array, or with --to json of its block
+  bool isFirst_ = false;      ///< the next record is the first of its array, or of its block where the array goes on
+  bool goesOn_ = false;       ///< the array was open before the block
+  BlockJoint joint_ = BlockJoint::none;
   std::vector<std::pair<const ResultRow*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
   std::vector<std::string> columnLabels_;

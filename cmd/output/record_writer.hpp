@@ -65,6 +65,10 @@ struct WriterSetup {
   ResultRows rows = {};     ///< of a record, unless it has others: in text and f64 those of all
 };
 
+/// What a block begins with in the array that is open before it. Only the output in order knows whether a record of the
+/// array was written before, and so what to write between the two.
+enum class BlockJoint : unsigned char { none, record, end };
+
 /// A record's own fields come first, then its results. Each worker has a writer of its own.
 class RecordWriter {
  public:
@@ -75,6 +79,7 @@ class RecordWriter {
   virtual void beginBlock(std::string_view /*closing*/) {}
   /// The text that closes the array that is open now, or empty.
   virtual std::string_view closing() const { return ""; }
+  virtual BlockJoint joint() const { return BlockJoint::none; }
   /// An array or a document, as written: `[` or `{"points": [`, and `]` with what follows it. Nothing: the shortest
   /// end.
   virtual void beginArray(std::string_view /*asWritten*/) {}

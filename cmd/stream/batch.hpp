@@ -44,6 +44,7 @@ using MakeProcessor = std::function<std::unique_ptr<RecordProcessor>(OutputForm 
 struct BlockResult {
   TextBuffer out;
   std::string_view closing;             ///< of the array that is open at the end of out
+  BlockJoint joint = BlockJoint::none;  ///< to what was written before out
   std::size_t records = 0;              ///< including bad records that --keep-going writes
   std::vector<StreamFault> passedOver;  ///< bad records, with --keep-going
   std::vector<std::string> notes;       ///< each note once

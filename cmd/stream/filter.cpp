@@ -229,6 +229,7 @@ class FilterWorker final : public BlockWorker {
     }
     if (block.bad && !result.fault) addLongRecord(*block.bad, result);
     result.closing = writer_->closing();
+    result.joint = writer_->joint();
   }
 
  private:
@@ -398,6 +399,7 @@ void RecordOutput::write(const RecordView& record, const ResultValues& values) {
 
 void RecordOutput::flush() {
   result_.closing = writer_->closing();
+  result_.joint = writer_->joint();
   output_.put({}, result_);
   begin();
 }

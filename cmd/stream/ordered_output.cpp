@@ -53,7 +53,9 @@ void OrderedOutput::begin(std::string_view text) {
 
 void OrderedOutput::put(const Block& block, const BlockResult& result) try {
   const std::string_view out = result.out.view();
-  if (setup_.form == OutputForm::array && !out.empty()) write(last_ == '[' ? "\n" : ",\n");
+  const bool isEmpty = last_ == '[';
+  if (result.joint == BlockJoint::record) write(isEmpty ? "\n" : ",\n");
+  if (result.joint == BlockJoint::end && !isEmpty) write("\n");
   write(out);
   closing_ = result.closing;
   if (!result.passedOver.empty() || !result.notes.empty()) progress_.clear();

@@ -37,6 +37,7 @@ class Summing final : public RecordProcessor {
     values.add(p.x + p.y + p.z);
     values.add(Vec3{2 * p.x, 2 * p.y, 2 * p.z});
   }
+  bool isVisible(std::size_t i) const override { return std::fmod(std::fabs(points_[i].x), 4) < 1; }
   void clear() override { points_.clear(); }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
@@ -120,6 +121,7 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.from = how.from;
   setup.to = how.to;
   setup.keepGoing = how.keepGoing;
+  setup.visibleOnly = how.visibleOnly;
   setup.jobs = how.jobs;
   setup.failed = nullptr;
   setup.blockSize = how.block;

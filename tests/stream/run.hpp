@@ -17,7 +17,7 @@ struct StreamRun {
 struct StreamHow {
   std::optional<cmd::Form> from = std::nullopt;
   std::optional<cmd::OutputForm> to = std::nullopt;
-  bool keepGoing = false;
+  bool keepGoing = false, visibleOnly = false;
   unsigned jobs = 1;
   std::size_t block = cmd::BlockReader::kBlock;
   /// Through a pipe, in pieces of at most so many bytes, of sizes that this seed gives.
@@ -29,7 +29,7 @@ struct StreamHow {
   std::string columns = {};
 };
 
-/// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none.
+/// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none, one in four is visible.
 StreamRun runStream(const std::string& input, const StreamHow& how);
 
 /// How a command names the forms, for messages.
