@@ -97,7 +97,11 @@ struct ResultCursor {
   explicit ResultCursor(const ResultValues& values) : number(values.numbers.data()), word(values.words.data()) {}
   std::size_t count() { return static_cast<std::size_t>(*number++); }
   /// Whether names are unknown, which are then passed.
-  bool skipsNone() { return std::isnan(*number) && (++number, true); }
+  bool skipsNone() {
+    const bool isNone = std::isnan(*number);
+    if (isNone) ++number;
+    return isNone;
+  }
   /// Empty where one of them is not finite.
   std::span<const double> vector(std::size_t size);
   std::span<const std::string_view> names(std::size_t size) {

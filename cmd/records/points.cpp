@@ -182,11 +182,12 @@ NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) 
   const bool isJson = schema.form == Form::json;
   const std::string matrix = schema.size == kMatrix ? "; info reads a matrix" : "";
   if (schema.size != 3 && !(isJson && schema.size == 4))
-    failWithCount(record, std::string("x y z") +
-                              (isJson            ? " or x y z w"
-                               : schema.size > 3 ? "; --columns picks three: 1,2,3, or 2,3,4 behind an id; x,y,z,w takes four"
-                                                 : "") +
-                              matrix);
+    failWithCount(record,
+                  std::string("x y z") +
+                      (isJson            ? " or x y z w"
+                       : schema.size > 3 ? "; --columns picks three: 1,2,3, or 2,3,4 behind an id; x,y,z,w takes four"
+                                         : "") +
+                      matrix);
   if (reading.worldIsEcef && schema.size == 3 && !isBinary(schema.form))
     throw RecordError(0, bareTriple(std::string(isJson ? "lat, lon, height or x, y, z of an object, " : "") +
                                     "--columns lat,lon,height or --columns x,y,z"));
