@@ -326,24 +326,36 @@ std::string CameraSet::otherWorlds() const {
 }
 
 /// Where cx, cy are the file's, and where they count from is not.
-void CameraSet::noteCenter(Document& document) const {
-  const auto patchOf = [&](std::string_view path) {
-    return std::find_if(patches_.patches.begin(), patches_.patches.end(),
-                        [&](const Patch& patch) { return patch.path == path; });
+void CameraSet::noteCounting(Document& document) const {
+  const auto patched = [&](std::string_view path) {
+    const auto patch = std::find_if(patches_.patches.begin(), patches_.patches.end(),
+                                    [&](const Patch& each) { return each.path == path; });
+    return patch == patches_.patches.end() ? nullptr : &*patch;
   };
-  const auto patch = patchOf("viewport.pixelCenter"), none = patches_.patches.end();
-  if (patch == none || !patch->value->is_number() || patchOf("projection.cx") != none) return;
-  const Json* const stated = valueAt(*document.root, "viewport.pixelCenter");
-  const double to = patch->value->get<double>(), from = stated && stated->is_number()
-                                                            ? stated->get<double>()
-                                                            : readConvention(document).preset->pixelCenter;
-  std::string kept;
-  for (const std::string axis : {"cx", "cy"})
-    if (const Json* const value = valueAt(*document.root, "projection." + axis); value && value->is_number())
-      kept += " --" + axis + " " + formatNumber(value->get<double>() + to - from);
-  if (to == from || kept.empty()) return;
-  document.notes.push_back(name_ + ": " + patch->label + ": its cx and cy stay, and so its picture moves; " +
-                           kept.substr(1) + " beside it counts pixels so and moves nothing");
+  const auto number = [&](std::string_view path) -> std::optional<double> {
+    const Patch* const patch = patched(path);
+    const Json* const value = patch ? patch->value.get() : valueAt(*document.root, path);
+    return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
+  };
+  const Json *const statedFirst = valueAt(*document.root, "viewport.pixelCenter"), *const statedOrigin =
+                                                                                       valueAt(*document.root,
+                                                                                               "viewport.origin");
+  const double first = statedFirst && statedFirst->is_number() ? statedFirst->get<double>()
+                                                               : readConvention(document).preset->pixelCenter;
+  const Patch *const center = patched("viewport.pixelCenter"), *const origin = patched("viewport.origin");
+  const double moved = (center && center->value->is_number() ? center->value->get<double>() : first) - first;
+  const bool isTurned = origin && *origin->value != (statedOrigin ? *statedOrigin : Json("top-left"));
+  const auto cx = number("projection.cx"), cy = number("projection.cy"), height = number("viewport.height");
+  std::vector<std::string> kept;
+  if (cx && moved != 0 && !patched("projection.cx")) kept.push_back("--cx " + formatNumber(*cx + moved));
+  if (cy && (moved != 0 || isTurned) && !patched("projection.cy"))
+    kept.push_back("--cy " + (!isTurned ? formatNumber(*cy + moved)
+                              : height  ? formatNumber(*height - 1 + 2 * first - *cy + moved)
+                                        : "from the other edge"));
+  if (kept.empty()) return;
+  document.notes.push_back(name_ + ": " + (moved != 0 ? center : origin)->label +
+                           ": its cx and cy stay, and so its picture moves; " + joined(kept, " ") +
+                           " beside it counts pixels so and moves nothing");
 }
 
 Document CameraSet::document(std::size_t which) const {
@@ -356,7 +368,7 @@ Document CameraSet::document(std::size_t which) const {
   for (const auto& [path, name] : import_.ownNames) document.labels.emplace(path, document.name + ": " + name);
   normalize(document);
   if (patches_.resize) resizePicture(document, *patches_.resize);
-  noteCenter(document);
+  noteCounting(document);
   applyPatches(document, patches_.patches);
   if (patches_.otherwise && !valueAt(*document.root, "viewport.width") && !valueAt(*document.root, "projection.pixels"))
     (*document.root)["viewport"].update(

@@ -177,7 +177,7 @@ class CameraSet {
   /// Whether a name is a number that may be meant as a camera's place in the file.
   bool mayBePlace(std::string_view text) const;
   [[noreturn]] void failPick(const std::string& pick) const;
-  void noteCenter(Document& document) const;
+  void noteCounting(Document& document) const;
 
   std::string name_;
   bool isTyped_ = false;
