@@ -302,9 +302,10 @@ std::vector<std::string> CameraSet::notes(const std::optional<std::string>& pick
                     "robot's camera_link");
   if (import_.hasTranslation) notes.push_back(name_ + ": " + kTranslationNote);
   for (const std::string& each : import_.notes)
-    if (!(each == kEnuNote && sets("world")) && !(each == kNoPoseNote && sets("position")) &&
-        !(each == kOpenCvNote && (statesAxes || isOfPixels)))
+    if (!(each == kEnuNote && sets("world")) && !(each == kOpenCvNote && (statesAxes || isOfPixels)))
       notes.push_back(name_ + ": " + each);
+  for (const auto& [path, each] : import_.notesUnlessSet)
+    if (!sets(path)) notes.push_back(name_ + ": " + each);
   if (const std::vector<std::string>& lost = import_.withoutPose; !lost.empty() && !pick) {
     const std::string what = lost.size() == 1 ? " has no pose, and is left out" : " have no pose, and are left out";
     notes.push_back(name_ + ": " + visible(someOf(lost, kMostNames)) + what);

@@ -73,8 +73,9 @@ struct Import {
   bool lacksAxes = false;      ///< it turns cameras, and says of no axes
   bool isTurnedByRpy = false;  ///< by a robot's angles, but in the axes of a camera
   bool hasRotation = false, hasFocalPixels = false;
-  bool hasTranslation = false;                       ///< positions are called tx, ty, tz
-  std::vector<std::string> notes = {};               ///< on how its members are read
+  bool hasTranslation = false;                                           ///< positions are called tx, ty, tz
+  std::vector<std::string> notes = {};                                   ///< on how its members are read
+  std::vector<std::pair<std::string, std::string>> notesUnlessSet = {};  ///< the same, by the field that is not set
   std::vector<std::string> withoutPose = {};         ///< entries of the file that are left out, by name
   std::map<std::string, std::string> ownNames = {};  ///< by the paths of fields: what messages call them
 

@@ -219,7 +219,7 @@ inline constexpr Field kFields[] = {
     lensField("projection.near", Kind::number, kAllTypes, 0, "--near", "Near plane. Absent: none, and no depth.", true),
     lensField("projection.far", Kind::far, kAllTypes, 0, "--far", "Far plane. Absent: infinite.", true),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",
-              "Moves the picture right, up; 1 is half its size."),
+              "Moves the picture right, up, by half sizes."),
     {"distortion", Kind::lens, "{model, its numbers}: brown, fisheye, unified, ...", "--distortion"},
     {"viewport.width", Kind::positive, "Size of the picture, in pixels."},
     {"viewport.height", Kind::positive, "Size of the picture, in pixels."},

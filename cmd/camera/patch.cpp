@@ -289,6 +289,16 @@ void addPatches(const Json& object, const std::string& path, std::vector<Patch>&
   }
 }
 
+/// {"k1": a, "k2": b} as {"k": [a, b]}, where they count from 1 without a gap.
+void gather(Json& lens, const std::string& name) {
+  Json numbers = Json::array();
+  const auto next = [&] { return name + std::to_string(numbers.size() + 1); };
+  while (lens.contains(next())) numbers.push_back(lens[next()]);
+  if (numbers.empty() || lens.contains(name)) return;
+  for (std::size_t i = 1; i <= numbers.size(); ++i) lens.erase(name + std::to_string(i));
+  lens[name] = std::move(numbers);
+}
+
 /// What looks like JSON and is none is told as that.
 void requireJson(const std::string& label, const std::string& text) {
   if (!text.starts_with('{') && !text.starts_with('[')) return;
@@ -301,6 +311,8 @@ Patch optionPatch(const Field& field, const std::string& text) {
   if (field.kind == Kind::lens) requireJson(std::string(field.option), text);
   Json value = shortForm(field.kind, text);
   if (Json parsed; field.kind == Kind::lens && !parseJson(text, parsed)) value = std::move(parsed);
+  if (field.kind == Kind::lens && value.is_object())
+    for (const char* name : {"k", "p"}) gather(value, name);
   Patch patch{std::string(field.path), std::make_shared<const Json>(std::move(value)), std::string(field.option)};
   const Document alone{"", std::make_shared<Json>(*patch.value), true, {{patch.path, patch.label}}};
   (void)readValue(Node(alone, *alone.root, patch.path), field);

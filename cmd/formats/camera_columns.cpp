@@ -139,7 +139,8 @@ CameraColumns::CameraColumns(const Json& columns, bool isRecord, bool hasNorth) 
                                               [&](const auto& name) { return isNamed(name.first, "width w"); });
   const auto isOfBox = [&](std::string_view column) { return hasBox && isNamed(column, "height h"); };
   onEarth_ = anyIs([](std::string_view name) { return pathOfColumn(name, true) == "position.lat"; });
-  isOfMetashape_ = columns.contains("X/Easting") || columns.contains("X/Longitude");
+  for (const char* own : {"X/Easting", "X/Longitude", "Accuracy_X/Y/Z_(m)", "Yaw_est"})
+    isOfMetashape_ = isOfMetashape_ || columns.contains(own);
   onMap_ = anyIs([](std::string_view name) { return lettersOf(name) == "easting"; });
   hasNorth_ = hasNorth || onEarth_ || onMap_;
   isRobots_ = !hasNorth_ && anyIs([](std::string_view name) { return sameButForCase(name, "yaw"); });

@@ -142,7 +142,7 @@ Import importParts(const Node& root, const std::string& line, bool hasPose) {
       result.unread = [names = proposed.pose](std::size_t) {
         return names + ", which looks like a pose; without one points are in the camera's frame";
       };
-  if (!takesPose && !result.unread) result.notes.emplace_back(kNoPoseNote);
+  if (!takesPose && !result.unread) result.notesUnlessSet.emplace_back("position", kNoPoseNote);
   return result;
 }
 

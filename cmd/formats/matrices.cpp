@@ -107,7 +107,12 @@ Json document(const Node& root) {
 }
 
 Import open(const Node& root) {
-  return Import::one([root] { return document(root); });
+  Import result = Import::one([root] { return document(root); });
+  if (const auto viewport = root.find("viewport"); viewport && viewport->holdsNumbers(4))
+    result.notesUnlessSet.emplace_back("viewport.origin",
+                                       "viewport: as glViewport's, whose y counts from the bottom; --set "
+                                       "viewport.origin=top-left counts from the top");
+  return result;
 }
 
 }  // namespace matrices

@@ -33,7 +33,8 @@ constexpr Refusal kRefusals[] = {
      "--cy: cx is (0.5 - horizontalApertureOffset / horizontalAperture) of the width"},
     {"%YAML 1.1\n%TAG !u!", true,
      "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
-     "--position and m_LocalRotation to --rotation, with --convention unity"},
+     "--position and m_LocalRotation to --rotation, with --convention unity; its pixels count from the bottom: --set "
+     "viewport.origin=bottom-left"},
     {"# hugin project file", true,
      "is a project of Hugin, which is not read; give w and h of an i line to --viewport, and v, where f is 0, to "
      "--fov-x; its y, p and r turn the picture in a panorama, and its a, b and c are no lens of OpenCV's"},
@@ -45,7 +46,8 @@ constexpr Refusal kRefusals[] = {
      "--euler YXZ:RY,RX,RZ where the order of turns is ZXY, and the eighth to --fov-y"},
     {"[gd_scene", true,
      "is a scene of Godot, which is not read; give fov to --fov-y (to --fov-x where keep_aspect = 0; 75 where it is "
-     "not there), near, 0.05, and far, 4000, and the transform of each node around the camera and its own, the "
+     "not there), near to --near and far to --far (0.05 and 4000 where they are not there), and the transform of each "
+     "node around the camera and its own, the "
      "outermost first, as --world-from-camera 'Transform3D(…)'; --reverse-z for depths of Godot 4.3 or later"},
     {"#polynomial coefficients for the DIRECT mapping", false,
      "is a lens of OCamCalib, which is not supported; undistort the pictures first"},

@@ -119,6 +119,27 @@ Json documentOf(const Frame& at) {
   return document;
 }
 
+/// "x,-z,y" of a world that was turned by rows of 0, 1 and -1: what turns it back.
+std::optional<std::string> mapBack(const Node& applied) {
+  const std::vector<double> m =
+      applied.json().is_array() ? numbersIn(applied.json()).value_or(std::vector<double>()) : std::vector<double>();
+  if (m.size() < 12) return std::nullopt;
+  std::string map;
+  bool moves = false;
+  for (std::size_t j = 0; j < 3; ++j) {
+    std::string axis;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double entry = m[4 * i + j];
+      if (entry == 0) continue;
+      if (std::fabs(entry) != 1 || !axis.empty()) return std::nullopt;
+      axis = (entry < 0 ? "-" : "") + std::string(1, "xyz"[i]);
+    }
+    moves = moves || axis != std::string(1, "xyz"[j]);
+    map += (j == 0 ? "" : ",") + axis;
+  }
+  return moves && m[3] == 0 && m[7] == 0 && m[11] == 0 ? std::optional(map) : std::nullopt;
+}
+
 Import open(const Node& root) {
   const Node frames = root.require("frames");
   Import result;
@@ -132,6 +153,11 @@ Import open(const Node& root) {
           return documentOf({root, frame});
         },
         frame);
+  }
+  if (const auto applied = root.find("applied_transform")) {
+    const auto map = mapBack(*applied);
+    result.notes.push_back("poses are in the world that applied_transform made" +
+                           (map ? "; convert --map " + *map + " turns them back" : std::string()));
   }
   return result;
 }
