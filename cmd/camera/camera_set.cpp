@@ -338,24 +338,36 @@ void CameraSet::noteCounting(Document& document) const {
     const Json* const value = patch ? patch->value.get() : valueAt(*document.root, path);
     return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
   };
-  const Json *const statedFirst = valueAt(*document.root, "viewport.pixelCenter"), *const statedOrigin =
-                                                                                       valueAt(*document.root,
-                                                                                               "viewport.origin");
-  const double first = statedFirst && statedFirst->is_number() ? statedFirst->get<double>()
-                                                               : readConvention(document).preset->pixelCenter;
-  const Patch *const center = patched("viewport.pixelCenter"), *const origin = patched("viewport.origin");
-  const double moved = (center && center->value->is_number() ? center->value->get<double>() : first) - first;
+  const auto stated = [&](std::string_view path, double otherwise) {
+    const Json* const value = valueAt(*document.root, path);
+    return value && value->is_number() ? value->get<double>() : otherwise;
+  };
+  const Json* const statedOrigin = valueAt(*document.root, "viewport.origin");
+  const Json* const pixels = valueAt(*document.root, "projection.pixels");
+  const double first = stated("viewport.pixelCenter", readConvention(document).preset->pixelCenter);
+  const Patch* const origin = patched("viewport.origin");
   const bool isTurned = origin && *origin->value != (statedOrigin ? *statedOrigin : Json("top-left"));
-  const auto cx = number("projection.cx"), cy = number("projection.cy"), height = number("viewport.height");
-  std::vector<std::string> kept;
-  if (cx && moved != 0 && !patched("projection.cx")) kept.push_back("--cx " + formatNumber(*cx + moved));
-  if (cy && (moved != 0 || isTurned) && !patched("projection.cy"))
-    kept.push_back("--cy " + (!isTurned ? formatNumber(*cy + moved)
-                              : height  ? formatNumber(*height - 1 + 2 * first - *cy + moved)
-                                        : "from the other edge"));
+  const double centred = number("viewport.pixelCenter").value_or(first) - first;
+  // In the pixels that cx and cy count.
+  const auto keep = [&](const std::string& axis, const std::string& corner, const char* side, std::size_t i) {
+    const auto place = number("projection." + axis), shown = number(side);
+    if (!place || patched("projection." + axis)) return std::string();
+    const auto counted =
+        pixels && pixels->is_array() && pixels->size() == 2 ? std::optional((*pixels)[i].get<double>()) : shown;
+    const bool turns = isTurned && i == 1;
+    const double to = number(corner).value_or(0) - stated(corner, 0);
+    if (centred == 0 && to == 0 && !turns) return std::string();
+    if (!counted && (turns || to != 0)) return " --" + axis + " " + (turns ? "from the other edge" : "in its pixels");
+    const double moved = centred + (to == 0 ? 0 : to * *counted / shown.value_or(*counted));
+    return " --" + axis + " " + formatNumber((turns ? *counted - 1 + 2 * first - *place : *place) + moved);
+  };
+  const std::string kept =
+      keep("cx", "viewport.x", "viewport.width", 0) + keep("cy", "viewport.y", "viewport.height", 1);
   if (kept.empty()) return;
-  document.notes.push_back(name_ + ": " + (moved != 0 ? center : origin)->label +
-                           ": its cx and cy stay, and so its picture moves; " + joined(kept, " ") +
+  std::string labels;
+  for (const char* path : {"viewport.pixelCenter", "viewport.origin", "viewport.x", "viewport.y"})
+    if (const Patch* const patch = patched(path)) labels += (labels.empty() ? "" : ", ") + patch->label;
+  document.notes.push_back(name_ + ": " + labels + ": its cx and cy stay, and so its picture moves;" + kept +
                            " beside it counts pixels so and moves nothing");
 }
 

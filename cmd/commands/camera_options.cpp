@@ -212,6 +212,8 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
     opening.direction = isInverse ? "cameraFromWorld" : "worldFromCamera";
     requirePoseCounts(isInverse ? "--camera-from-world" : "--world-from-camera");
   }
+  for (const Patch& patch : patches_)
+    if (patch.path == "cameraAxes" && patch.value->is_string()) opening.cameraAxes = patch.value->get<std::string>();
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
   const auto noted = [](std::unique_ptr<CameraSet> cameras, std::optional<std::string> pick) {
     for (const std::string& each : cameras->notes(pick)) note(each);

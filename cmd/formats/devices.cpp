@@ -160,8 +160,12 @@ Json pictureOf(const Node& row, bool isRelative) {
     camera["projection"] = {{"type", "intrinsics"}, {"fx", *f}, {"fy", *f}, {"cx", *x}, {"cy", *y}};
     if (w && h) camera["projection"]["pixels"] = {*w, *h};
   } else if (const auto equivalent = cellOf(row, "FocalLengthIn35mmFormat"); equivalent && *equivalent > 0) {
-    // A whole number, 2 % off at 24.
-    camera["projection"] = {{"type", "perspective"}, {"fovDiagonal", fovOfEquivalent(*equivalent)}};
+    const auto focal = cellOf(row, "FocalLength");
+    camera["projection"] = {{"type", "perspective"}};
+    if (focal && *focal > 0)  // so that --sensor-width goes with it
+      camera["projection"].update({{"focalLength", *focal}, {"sensorDiagonal", kFilmDiagonal * *focal / *equivalent}});
+    else
+      camera["projection"]["fovDiagonal"] = fovOfEquivalent(*equivalent);
   }
   return camera;
 }
@@ -180,6 +184,12 @@ Import openPictures(const Node& root) {
     result.notes.push_back(fileOf(root[0]) + " took off at " + ground + ", AbsoluteAltitude less RelativeAltitude: " +
                            (hasGeoid() ? "--altitude " : "--height ") + ground + " is the ground there");
   }
+  if (!columnOf(root[0], "CalibratedFocalLength") && columnOf(root[0], "FocalLengthIn35mmFormat"))
+    result.notesUnlessSet.emplace_back(
+        "projection",
+        std::string("the lens is of FocalLengthIn35mmFormat, a whole number, to 2 %") +
+            (columnOf(root[0], "DewarpData") ? "; --fx and --fy are the first numbers behind the date of DewarpData"
+                                             : ""));
   for (std::size_t i = 0; i < root.size(); ++i)
     result.add(fileOf(root[i]), "", [row = root[i], isRelative] { return pictureOf(row, isRelative); });
   return result;

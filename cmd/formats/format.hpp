@@ -43,6 +43,7 @@ void setPose(Json& camera, std::string_view field, Json pose);
 /// The angle across the diagonal, in degrees, of a focal length that is told as on film of 36 x 24 mm. No length, as
 /// the sensor that belongs to it is not the camera's.
 double fovOfEquivalent(double focalLength);
+inline constexpr double kFilmDiagonal = 43.266615305567875;  ///< of 36 x 24 mm
 
 /// Sets the lens: its model by the name that other programs give it (empty: OpenCV's own list), and its coefficients in
 /// their order or by name. A pinhole has none. Throws for an unknown model, and for a wrong number of coefficients.

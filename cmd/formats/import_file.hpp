@@ -29,6 +29,7 @@ struct Opening {
   /// Files or texts of poses, of which the product is the camera's pose, and the field that it sets.
   std::vector<std::string> poses{};
   std::string direction{};
+  std::string cameraAxes{};  ///< that --set gives; or empty
 };
 
 /// The cameras of a file, by its format or by the line of --parts. preset: of --read-as, or empty. Throws UnknownFile,

@@ -406,25 +406,42 @@ void requireNames(const std::vector<Part>& parts, const std::string& label, bool
   }
 }
 
+/// Items of two lists are joined by their place, which says nothing where one of the lists is shorter.
+void requireOneLength(const Node& root, const std::vector<const Path*>& starred) {
+  std::string first;
+  std::size_t size = 0;
+  for (const Path* path : starred) {
+    const std::string list = path->text.substr(0, path->text.find('*'));
+    const auto node = list.size() > 1 ? valueAt(root, list.substr(0, list.size() - 1)) : std::nullopt;
+    if (!node || !node->json().is_array() || !list.ends_with('.')) continue;
+    if (!first.empty() && node->json().size() != size)
+      root.fail(first + "* has " + std::to_string(size) + " items and " + list + "* " +
+                std::to_string(node->json().size()) + ", so that places do not tell which belong together");
+    first = list;
+    size = node->json().size();
+  }
+}
+
 std::vector<CameraEntry> camerasOfParts(const Node& root, std::vector<Part> parts, PartsForm form,
                                         std::string_view names) {
   const auto line = std::make_shared<const PartsLine>(PartsLine{root, std::move(parts), form});
   std::vector<std::string> stars;
   std::unordered_set<std::string> known;
-  const Path* starred = nullptr;
+  std::vector<const Path*> starred;
   for (const Part& part : line->parts) {
     const auto paths = part.starredPaths();
     if (part.isOptional || part.name == "name" || paths.empty()) continue;
-    if (!starred) starred = paths.front();
+    starred.push_back(paths.front());
     for (std::string& star : starsOf(root, paths))
       if (known.insert(star).second) stars.push_back(std::move(star));
   }
+  requireOneLength(root, starred);
   // "b_to_a" is a pose of b.
   std::erase_if(stars, [&](const std::string& star) {
     return known.contains(star.substr(0, star.find("_to_"))) && star.find("_to_") != std::string::npos;
   });
-  if (!starred) stars.emplace_back();
-  if (stars.empty()) root.fail(starred->text + ": is not in the file" + nearPath(root, starred->text));
+  if (starred.empty()) stars.emplace_back();
+  if (stars.empty()) root.fail(starred.front()->text + ": is not in the file" + nearPath(root, starred.front()->text));
   const std::string pattern = names.empty() ? line->segment() : std::string(names);
   std::vector<CameraEntry> cameras;
   for (const std::string& star : stars) {

@@ -32,8 +32,7 @@ std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> m) {
 }
 
 double fovOfEquivalent(double focalLength) {
-  constexpr double kDiagonal = 43.266615305567875;  // of 36 x 24
-  return 2 * std::atan2(kDiagonal / 2, focalLength) * (180 / std::numbers::pi);
+  return 2 * std::atan2(kFilmDiagonal / 2, focalLength) * (180 / std::numbers::pi);
 }
 
 Json pinholeCamera(std::span<const double> intrinsics, const PictureSize& size, double pixelCenter) {

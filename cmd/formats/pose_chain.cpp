@@ -141,6 +141,7 @@ bool isPose(const Field& field) { return field.group == Group::pose && field.pat
 struct Stand {
   CameraAxes axes;
   Handedness world;
+  World north;
   std::optional<Pose> pose;
 
   explicit Stand(Document document) {
@@ -149,6 +150,7 @@ struct Stand {
     const DocumentConvention stated = readConvention(values);
     axes = cameraAxesOf(values, *stated.preset);
     world = stated.convention.world;
+    north = worldOf(values);
     pose = readPose(values, stated);
   }
 };
@@ -170,18 +172,24 @@ Json poseIn(const Json& camera, const Document& file, Json other, bool lacksAxes
 }
 
 /// A camera's document at the product of poses: the one of each factor, that of a number, or its own. which: of the
-/// cameras of its file.
+/// cameras of its file. The outermost says the world.
 Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t which, std::size_t number,
-            const std::string& direction) {
+            const std::string& direction, const std::string& cameraAxes) {
   for (const Field& field : kFields)
     if (isPose(field)) camera.erase(std::string(field.path));
+  if (!cameraAxes.empty()) camera["cameraAxes"] = cameraAxes;
   Json poses = Json::array();
-  for (const auto& [file, cameras, field, isOfCamera, isOwn, lacksAxes, isPicked, notes] : factors) {
+  World north = World::any;
+  const PoseFactor& outermost = direction == "worldFromCamera" ? factors.front() : factors.back();
+  for (const PoseFactor& factor : factors) {
+    const auto& [file, cameras, field, isOfCamera, isOwn, lacksAxes, isPicked, notes] = factor;
     const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
     if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
     poses.push_back(isOfCamera ? poseIn(camera, *file, pose, lacksAxes, field) : pose[field]);
+    if (isOfCamera && &factor == &outermost) north = Stand(Document{file->name, std::make_shared<Json>(pose)}).north;
   }
   camera[direction] = poses.size() == 1 ? poses.front() : poses;
+  if (north != World::any) camera["world"] = north == World::ecef ? "ecef" : "enu";
   return camera;
 }
 
@@ -259,9 +267,8 @@ Import atPoses(Import result, const Opening& opening, std::string& name, bool ha
     return names;
   };
   const auto moved = [&](const CameraEntry& camera, std::size_t which, std::size_t number) {
-    return [document = camera.document, factors, which, number, direction = opening.direction] {
-      return atPose(document(), *factors, which, number, direction);
-    };
+    return [document = camera.document, factors, which, number, direction = opening.direction,
+            axes = opening.cameraAxes] { return atPose(document(), *factors, which, number, direction, axes); };
   };
   if (!several) {
     result.unread = unreadOf;

@@ -75,8 +75,8 @@ constexpr Refusal kRefusals[] = {
      "is a fisheye of MATLAB, a lens that is not supported; undistort the pictures first"},
     {"heading,pitch,roll,f,px,py", false,
      "is of RealityCapture, which is not read: f counts 36 mm, and px and py the picture's larger side; give --set "
-     "world=enu, x, y and alt to --position, heading and roll to --heading and --roll, and pitch - 90 to --pitch, for "
-     "its 0 is straight down"},
+     "world=enu, x, y and alt to --position, and its turns as --euler ZXY:-HEADING,PITCH,ROLL with --set "
+     "cameraAxes=RUB"},
     {"<sdf ", false,
      "is SDF, which is not read; give --read-as opengl --set cameraAxes=FLU, for its cameras look along x, "
      "horizontal_fov as --fov-x 1.2rad, and the poses of model, link and sensor, in this order, each as "

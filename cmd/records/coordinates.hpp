@@ -79,6 +79,7 @@ inline constexpr CoordinatePart
     kUv[] = {{"u"}, {"v"}},
     kPxPy[] = {{"px"}, {"py"}},
     kTwoUv[] = {{"u1"}, {"v1"}, {"u2"}, {"v2"}},
+    kTwoXy[] = {{"x1"}, {"y1"}, {"x2"}, {"y2"}},
     kXyzUvw[] = {{"x"}, {"y"}, {"z"}, {"u"}, {"v"}, {"w"}},
     kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kHeightNames}, {"u"}, {"v"}},
     kDepth[] = {{"depth"}},
@@ -118,7 +119,8 @@ inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy, &uv, &pxPy
 
 // A point's pixels in two cameras.
 inline constexpr Coordinate
-    twoUv = {"u1 v1 u2 v2", numbers, 4, 4, "a point's pixels in two cameras, for triangulate", 0, kTwoUv};
+    twoUv = {"u1 v1 u2 v2", numbers, 4, 4, "a point's pixels in two cameras, for triangulate", 0, kTwoUv},
+    twoXy = {"x1 y1 x2 y2", numbers, 4, 4, "the same", 0, kTwoXy};
 
 // Pairs of a point and its pixel, for --columns and lines of numbers.
 inline constexpr Coordinate

@@ -405,7 +405,8 @@ NumberPlan findTwoPixels(const RecordView& record, const ColumnChoice& columns) 
     return firstFields(4, 0);
   }
   Conditions conditions;
-  if (auto plan = find(coordinates::twoUv, record, conditions)) return *plan;
+  for (const Coordinate* row : {&coordinates::twoUv, &coordinates::twoXy})
+    if (auto plan = find(*row, record, conditions)) return *plan;
   throw RecordError(0, "has no " + std::string(coordinates::twoUv.name) + ", a pixel in each of two cameras" +
                            fieldsNote(*record.schema) + "; --columns names them");
 }
