@@ -122,7 +122,7 @@ struct ProjectionReader {
   /// fx, fy, cx, cy count pixels of a picture with the viewport's corners. Without cx, cy the viewing axis meets its
   /// middle.
   Projection intrinsics() const {
-    const double fx = number("projection.fx"), fy = number("projection.fy");
+    const double fx = number("projection.fx"), fy = values.valueOr("projection.fy", fx);
     const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
       requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures or ");

@@ -280,6 +280,26 @@ struct InfoOptions {
   ReportOptions report;
 };
 
+/// Where cameras stand together: the middle and the box of their eyes, and of two how far they are apart. Null for one.
+OrderedJson eyesOf(const OrderedJson& rows) {
+  std::vector<Vec3> eyes;
+  for (const OrderedJson& row : rows)
+    if (const auto eye = row.find("eye"); eye != row.end() && eye->is_array())
+      eyes.push_back({(*eye)[0].get<double>(), (*eye)[1].get<double>(), (*eye)[2].get<double>()});
+  if (eyes.size() < 2) return nullptr;
+  Vec3 mean{}, low = eyes.front(), high = eyes.front();
+  for (const Vec3& eye : eyes)
+    for (std::size_t i = 0; i < 3; ++i) {
+      mean[i] += eye[i] / static_cast<double>(eyes.size());
+      low[i] = std::min(low[i], eye[i]);
+      high[i] = std::max(high[i], eye[i]);
+    }
+  if (low == high) return nullptr;
+  OrderedJson all{{"mean", asJson(mean)}, {"min", asJson(low)}, {"max", asJson(high)}};
+  if (eyes.size() == 2) all["distance"] = apart(eyes[0], eyes[1]);
+  return all;
+}
+
 /// A camera that cannot be read has a message instead of a row.
 int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<std::string>& pick) {
   OrderedJson rows = OrderedJson::array();
@@ -300,7 +320,9 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
       tell(e.what());
     }
   }
-  if (!rows.empty() || o.report.form() == ReportForm::json) o.report.write({{"cameras", rows}}, "cameras");
+  OrderedJson report{{"cameras", rows}};
+  if (OrderedJson eyes = eyesOf(rows); !eyes.is_null()) report["eyes"] = std::move(eyes);
+  if (!rows.empty() || o.report.form() == ReportForm::json) o.report.write(report, "cameras");
   return status;
 }
 

@@ -22,6 +22,7 @@
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/lens.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 
@@ -196,11 +197,20 @@ class Caster final : public RecordProcessor {
       values.add(apart(cast.point.position, cast.camera.pose().eye()));
     } else if (&row == &results::bound) {
       values.add(isPoint ? cast.point.bound : NAN);
+    } else if (&row == &results::undistorted) {
+      values.add(undistorted(cast));
     } else {
       const std::size_t count = how_.allHits ? cast.hits.size() : std::min<std::size_t>(cast.hits.size(), 1);
       values.addCount(count);
       for (std::size_t i = 0; i < count; ++i) addHit(cast.hits[i], values);
     }
+  }
+
+  static Vec2 undistorted(const Cast& cast) {
+    if (!lensOf(cast.camera)) return cast.pixel.screen.value_or(Vec2{NAN, NAN});
+    const Vec3& d = cast.ray.direction;
+    const ScreenPoint straight = worldToScreen(withoutLens(cast.camera), Vec4{d.x, d.y, d.z, 0});
+    return {straight.x, straight.y};
   }
 
   static void addPlace(const Vec3& point, ResultValues& values) {
@@ -247,9 +257,10 @@ GivenRecord readPixel(const std::string& option, const std::string& text) {
 
 /// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
 /// read.
-constexpr const ResultRow* kFields[] = {
-    &results::origin,  &results::direction, &results::point, &results::place, &results::pointDistance,
-    &results::azimuth, &results::elevation, &results::range, &results::bound, &results::hit};
+constexpr const ResultRow* kFields[] = {&results::origin,    &results::direction,     &results::point,
+                                        &results::place,     &results::pointDistance, &results::azimuth,
+                                        &results::elevation, &results::range,         &results::bound,
+                                        &results::hit,       &results::undistorted};
 
 Names<const ResultRow*> fieldNames() {
   Names<const ResultRow*> names;

@@ -297,6 +297,9 @@ std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::s
     timed.clear();
     for (const WrittenCamera& camera : cameras) timed.push_back({camera.number, &camera});
   }
+  const auto isPlace = [&](std::size_t i) { return timed[i].time == std::to_string(i); };
+  for (std::size_t i = 0; told.empty() && isPlace(i); ++i)
+    if (i + 1 == timed.size()) told = "there are no times: 0, 1, 2 \u2026 are written";
   makeSeconds(timed);
   std::stable_sort(timed.begin(), timed.end(), [](const Timed& a, const Timed& b) {
     return a.seconds != b.seconds ? a.seconds < b.seconds : a.time < b.time;

@@ -243,7 +243,8 @@ bool addPath(const Node& root, const Path& path, std::string_view star, bool isT
     }
     return !found.named.empty();
   }
-  const auto node = valueAt(root, text);
+  auto node = valueAt(root, text);
+  if (node && path.number && !numbersIn(node->json())) node.reset();  // an item of a list is no number
   if (!node && !path.number) return false;
   if (node && isText && path.operations.empty()) {
     found.text = textIn(*node);

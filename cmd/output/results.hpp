@@ -198,12 +198,13 @@ inline constexpr ResultRow
     hits = ResultRow{"hits", ResultKind::list, 1, kPlacedHitParts}.onRequest(),
     seaHit = groupResult("hit", kSeaHitParts).onRequest(),  // with --geoid
     seaHits = ResultRow{"hits", ResultKind::list, 1, kSeaHitParts}.onRequest(),
-    pointDistance = numberResult("viewDistance").onRequest();
+    pointDistance = numberResult("viewDistance").onRequest(),
+    undistorted = vectorResult("undistorted", 2).onRequest();
 inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height}, *kSeaPlaceParts[] = {&lat, &lon, &height, &altitude};
 inline constexpr ResultRow
     place = groupResult("place", kPlaceParts).onRequest(),
     seaPlace = groupResult("place", kSeaPlaceParts).onRequest();
-inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &bound, &placedHit, &hit, &hits};
+inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &bound, &placedHit, &hit, &hits, &undistorted};
 
 inline constexpr ResultRow
     camera = {"camera", ResultKind::word};
