@@ -21,7 +21,7 @@ constexpr std::string_view kShort[][2] = {{"position.x", "x"},
                                           {"rotation.y", "qy"},
                                           {"rotation.z", "qz"},
                                           {"rotation.w", "qw"},
-                                          {"heading", "yaw"},
+                                          {"heading", "yaw azimuth"},
                                           {"projection.fx", "flx focalx"},
                                           {"projection.fy", "fly focaly"},
                                           {"projection.fovX", "hfov"},
@@ -69,6 +69,9 @@ std::string pathOfColumn(std::string_view column, bool isOnEarth) {
         if (!name.empty() && isCalled(std::string(name) + std::string(member)))
           return std::string(field.path) + "." + std::string(member);
   }
+  // The unit that the field has anyway.
+  for (const std::string_view unit : {"_deg", "_m", "_px", "_mm"})
+    if (column.ends_with(unit)) return pathOfColumn(column.substr(0, column.size() - unit.size()), isOnEarth);
   return "";
 }
 

@@ -27,11 +27,11 @@ std::unique_ptr<CameraSet> openDocument(Document document, const Opening& openin
 
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   if (opening.parts && !patches.readAs.empty()) {
-    const bool isEngine = patches.readAs == "unreal" || patches.readAs == "unity";
-    const bool turns = isEngine && opening.parts->find("euler") != std::string::npos;
-    throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as, or say " +
-                     (isEngine ? "--set convention=" + patches.readAs : "--set cameraAxes=RUB for the axes of OpenGL") +
-                     (turns ? " --set euler.order=" + patches.readAs : ""));
+    const bool turns =
+        (patches.readAs == "unreal" || patches.readAs == "unity") && opening.parts->find("euler") != std::string::npos;
+    throw UsageError(
+        "--parts makes a camera in the convention opencv; in place of --read-as, --set convention=" + patches.readAs +
+        (turns ? " --set euler.order=" + patches.readAs : "") + " states the world and the axes of another");
   }
   const auto model = opening.parts ? std::nullopt : colmapModel(source);
   if (!model)

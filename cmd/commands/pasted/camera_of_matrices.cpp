@@ -64,6 +64,7 @@ std::vector<std::string> othersIn(const Document& file, const std::vector<Pasted
 bool isSize(const PassedOver& over) {
   const std::string name = pasted::lower(over.name);
   constexpr std::string_view kWords[] = {"size", "resolution", "shape"};
+  if (over.numbers == 1) return name.ends_with("width") || name.ends_with("height");
   return (over.numbers == 2 || over.numbers == 3) &&
          std::any_of(std::begin(kWords), std::end(kWords), [&](std::string_view word) { return name.ends_with(word); });
 }
@@ -82,19 +83,16 @@ bool isOfPreset(const Reading& r) {
   });
 }
 
-/// The presets that choose this reading, those of its own vectors first; those that have all of it, if there are such.
+/// The presets that choose this reading; those that have all of it, if there are such.
 std::vector<std::string_view> presetsOf(const Reading& reading, const std::vector<Reading>& readings,
                                         bool isInMemoryOrder) {
-  std::vector<std::string_view> whole, ofOtherVectors, others;
+  std::vector<std::string_view> whole, others;
   for (const ConventionPreset& preset : conventionPresets()) {
     const std::vector<Reading> chosen = readingsIn(readings, preset, isInMemoryOrder);
-    if (chosen.empty() || chosen.front().kind != reading.kind || chosen.front().layout != reading.layout ||
-        chosen.front().camera->convention != reading.camera->convention)
-      continue;
-    const bool hasAll = differences(reading, preset).empty();
-    (!hasAll ? others : fits(reading, preset, isInMemoryOrder) ? whole : ofOtherVectors).push_back(preset.name);
+    if (!chosen.empty() && chosen.front().kind == reading.kind && chosen.front().layout == reading.layout &&
+        chosen.front().camera->convention == reading.camera->convention)
+      (differences(reading, preset).empty() ? whole : others).push_back(preset.name);
   }
-  whole.insert(whole.end(), ofOtherVectors.begin(), ofOtherVectors.end());
   return whole.empty() ? others : whole;
 }
 

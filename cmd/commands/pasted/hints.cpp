@@ -185,7 +185,7 @@ KindHint hintIn(std::string_view text, bool isName) {
   hint.isTransposed = has({"_world_view_transform", "_full_proj_transform"});
   isOfVision = isOfVision || hint.isTransposed || has({"_extrin", "_rvec", "_tvec", "_opencv", "_colmap", "_kalibr"});
   if (has({"_simd", "_arkit", "_arframe", "_arcamera", "_bpy", "_matrix_world", "_opengl"})) hint.axes = ViewAxes::RUB;
-  if (has({"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat"})) hint.axes = ViewAxes::RUF;
+  if (has({"_d3d", "_d3_d", "_directx", "_xmm", "_xmfloat", "_log_temp", "_f_matrix"})) hint.axes = ViewAxes::RUF;
   if (isOfVision) hint.axes = ViewAxes::RDF;
   return hint;
 }
@@ -195,7 +195,8 @@ KindHint hintIn(std::string_view text, bool isName) {
 KindHint hintOf(const PastedMatrix& m) {
   KindHint around = hintIn(m.context, false);
   for (const char* mark : {"<Matrix ", " O: (", "matrix3 ["})
-    if (m.context.find(mark) != std::string::npos) return {ReadingKind::pose, kSpoken, around.axes};
+    if (m.context.find(mark) != std::string::npos)
+      return {ReadingKind::pose, kSpoken, around.axes.value_or(ViewAxes::RUB)};
   constexpr std::size_t kMost = 300;
   const std::string_view name = std::string_view(m.name).substr(0, kMost);
   std::size_t part = 0;  // transform of scene.camera.transform

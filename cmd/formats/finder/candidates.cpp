@@ -100,7 +100,7 @@ std::string_view tangentialOf(std::string_view name) {
 
 /// An angle of view by a word of its name: fovX, fovY, or fov where no other word says which.
 std::string_view angleOf(std::string_view name) {
-  if (!hasWord(name, "fov")) return "";
+  if (!hasWord(name, "fov") || hasWord(name, "tan")) return "";
   return hasWord(name, "y v vert vertical") ? "fovY" : hasWord(name, "x h horiz horizontal") ? "fovX" : "fov";
 }
 

@@ -22,12 +22,13 @@ std::optional<std::array<double, 2>> centreOf(const LineDraft& line) {
   return std::nullopt;
 }
 
-/// A focal length that is short beside the picture is in millimetres, which the size of a pixel divides. lens: the
+/// A focal length that is called so, or is short beside the picture, is in millimetres, which the size of a pixel divides. lens: the
 /// parts of K.
 void putUnit(LineDraft& line, const Candidates& all, const std::vector<Chosen>& lens, double width) {
   const std::string focal = lens.front()->path();
   const double f = lens.front()->numbers.front();
-  if (line.parts.front().first != "K" || f >= kLeastFocal * width) return;
+  const bool isInMillimetres = hasWord(lens.front()->steps.back(), "mm");
+  if (line.parts.front().first != "K" || (f >= kLeastFocal * width && !isInMillimetres)) return;
   const auto pixel = bestOf(*line.first, all, "pixel");
   if (!pixel || f < 1 || lens.front()->numbers.size() > 2)
     return line.ask.push_back(focal +
