@@ -5,7 +5,7 @@
 set -eu
 build=$(cd "$1" && pwd)
 shift
-export VIEWPROJ_JSON_LINES=5000 VIEWPROJ_STREAM_TRIALS=40 VIEWPROJ_BOUND_POINTS=20000 VIEWPROJ_RANDOM_LENSES=300 VIEWPROJ_SHAPE_CASES=3000
+export VIEWPROJ_JSON_LINES=5000 VIEWPROJ_STREAM_TRIALS=40 VIEWPROJ_BOUND_POINTS=20000 VIEWPROJ_RANDOM_LENSES=300 VIEWPROJ_SHAPE_CASES=6000
 # Reports go to files: a test may hold the standard error, and expect a failure.
 rm -rf "$build/reports"
 mkdir "$build/reports"
