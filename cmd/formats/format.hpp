@@ -27,8 +27,8 @@ struct Format {
 };
 
 /// The formats that have a file.
-extern const Format kGltf, kThreeJs, kTransforms, kMetashape, kMetashapeLens, kMeshroom, kOpenSfm, kOpenSfmLenses,
-    kBundler, kExif, kOpenXr, kTable, kScanner, kUnity, kUnreal, kKalibr, kPoses, kMatrices;
+extern const Format kGltf, kThreeJs, kTransforms, kMetashape, kMetashapeLens, kPix4d, kMeshroom, kOpenSfm,
+    kOpenSfmLenses, kBundler, kExif, kOpenXr, kTable, kScanner, kUnity, kUnreal, kKalibr, kPoses, kMatrices;
 
 // ---- Our document
 

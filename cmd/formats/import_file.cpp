@@ -23,9 +23,10 @@ namespace viewproj::cmd {
 namespace {
 
 /// The formats that have a file; the order does not matter, for one at most claims a file.
-constexpr const Format* kFormats[] = {
-    &kGltf, &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,
-    &kExif, &kTable,   &kScanner,    &kOpenXr,    &kUnity,         &kUnreal,   &kKalibr,  &kPoses,         &kMatrices};
+constexpr const Format* kFormats[] = {&kGltf,   &kThreeJs,  &kTransforms, &kMetashape,     &kMetashapeLens,
+                                      &kPix4d,  &kMeshroom, &kOpenSfm,    &kOpenSfmLenses, &kBundler,
+                                      &kExif,   &kTable,    &kScanner,    &kOpenXr,        &kUnity,
+                                      &kUnreal, &kKalibr,   &kPoses,      &kMatrices};
 
 /// Our own form may have names of others, as fx and cx in a projection.
 bool isOurs(const Json& root) {

@@ -215,7 +215,7 @@ constexpr Row kRows[] = {
      0.5},
     {"strecha", "a .camera of Strecha's scenes", "#1:L26",
      "K=#1[0:9], worldFromCamera.rotation=#1[12:21], position=#1[21:24], size=#1[24:26]"},
-    {"pix4d", "cameras of Pix4D", "*:28",
+    {"pix4d", "cameras and lenses (.cam) of Pix4D", "*:28",
      "K=*[2:11], size=*[0:2], distortion=*[11,12,14,15,13], position=*[16:19], cameraFromWorld.rotation=*[19:28]", "",
      "", 0, "RDF", false,
      "positions are less the X, Y, Z of the project's _offset.xyz; --model=-X,-Y,-Z beside points of the map"},
