@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <type_traits>
 #include <variant>
 
@@ -499,7 +500,15 @@ int run(const Options& o) {
                  .hasUsualNumbers = hasUsualNumbers};
   if (!o.models.empty()) how.worldFromLocal = readModel(o.models);
   setup.arrayName = hasMiss ? "pair" : "position";
-  return runFilter(setup, cameras, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
+  const bool lacksDepth = cameras.first() && !hasDepth(*cameras.first()->projection) && hasUsualNumbers;
+  std::once_flag noted;
+  return runFilter(setup, cameras, [&](OutputForm to) {
+    if (lacksDepth && to == OutputForm::text)
+      std::call_once(noted, [] {
+        note("depth, the third number, is NaN without near; --fields screen,viewDistance writes the distance");
+      });
+    return std::make_unique<Projector>(how, to);
+  });
 }
 
 }  // namespace
