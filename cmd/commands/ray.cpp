@@ -22,7 +22,6 @@
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/lens.hpp"
-#include "viewproj/lens.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 

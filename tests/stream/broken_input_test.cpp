@@ -283,7 +283,8 @@ TEST_CASE("binary records have the width that is told") {
         "{\"x\":0.1,\"y\":2,\"z\":3,\"column4\":9,\"sum\":5.100000001490116,\"twice\":[0.20000000298023224,4,6]}\n"
         "{\"x\":4,\"y\":5,\"z\":6,\"column4\":9,\"sum\":15,\"twice\":[8,10,12]}\n");
   how.columns = "";
-  CHECK(runStream(points, how).err.starts_with("<stdin>:1:1: has 4 numbers; expected x y z; --columns picks three: 1,2,3"));
+  CHECK(runStream(points, how)
+            .err.starts_with("<stdin>:1:1: has 4 numbers; expected x y z; --columns picks three: 1,2,3"));
   how = {.from = Form::f32, .to = OutputForm::text};
   CHECK(runStream(points.substr(0, 12), how).out == runStream(floats({0.1f, 2, 3}), how).out);
   how.width = 2;

@@ -22,8 +22,8 @@ std::optional<std::array<double, 2>> centreOf(const LineDraft& line) {
   return std::nullopt;
 }
 
-/// A focal length that is called so, or is short beside the picture, is in millimetres, which the size of a pixel divides. lens: the
-/// parts of K.
+/// A focal length that is called so, or is short beside the picture, is in millimetres, which the size of a pixel
+/// divides. lens: the parts of K.
 void putUnit(LineDraft& line, const Candidates& all, const std::vector<Chosen>& lens, double width) {
   const std::string focal = lens.front()->path();
   const double f = lens.front()->numbers.front();
