@@ -333,6 +333,8 @@ void CameraSet::noteCounting(Document& document) const {
                                     [&](const Patch& each) { return each.path == path; });
     return patch == patches_.patches.end() ? nullptr : &*patch;
   };
+  constexpr const char* kCounting[] = {"viewport.pixelCenter", "viewport.origin", "viewport.x", "viewport.y"};
+  if (std::none_of(std::begin(kCounting), std::end(kCounting), patched)) return;
   const auto number = [&](std::string_view path) -> std::optional<double> {
     const Patch* const patch = patched(path);
     const Json* const value = patch ? patch->value.get() : valueAt(*document.root, path);
@@ -344,6 +346,8 @@ void CameraSet::noteCounting(Document& document) const {
   };
   const Json* const statedOrigin = valueAt(*document.root, "viewport.origin");
   const Json* const pixels = valueAt(*document.root, "projection.pixels");
+  const bool hasPixels =
+      pixels && pixels->is_array() && pixels->size() == 2 && (*pixels)[0].is_number() && (*pixels)[1].is_number();
   const double first = stated("viewport.pixelCenter", readConvention(document).preset->pixelCenter);
   const Patch* const origin = patched("viewport.origin");
   const bool isTurned = origin && *origin->value != (statedOrigin ? *statedOrigin : Json("top-left"));
@@ -352,8 +356,7 @@ void CameraSet::noteCounting(Document& document) const {
   const auto keep = [&](const std::string& axis, const std::string& corner, const char* side, std::size_t i) {
     const auto place = number("projection." + axis), shown = number(side);
     if (!place || patched("projection." + axis)) return std::string();
-    const auto counted =
-        pixels && pixels->is_array() && pixels->size() == 2 ? std::optional((*pixels)[i].get<double>()) : shown;
+    const auto counted = hasPixels ? std::optional((*pixels)[i].get<double>()) : shown;
     const bool turns = isTurned && i == 1;
     const double to = number(corner).value_or(0) - stated(corner, 0);
     if (centred == 0 && to == 0 && !turns) return std::string();
@@ -365,7 +368,7 @@ void CameraSet::noteCounting(Document& document) const {
       keep("cx", "viewport.x", "viewport.width", 0) + keep("cy", "viewport.y", "viewport.height", 1);
   if (kept.empty()) return;
   std::string labels;
-  for (const char* path : {"viewport.pixelCenter", "viewport.origin", "viewport.x", "viewport.y"})
+  for (const char* path : kCounting)
     if (const Patch* const patch = patched(path)) labels += (labels.empty() ? "" : ", ") + patch->label;
   document.notes.push_back(name_ + ": " + labels + ": its cx and cy stay, and so its picture moves;" + kept +
                            " beside it counts pixels so and moves nothing");

@@ -6,6 +6,7 @@
 
 #include "camera/names.hpp"
 #include "camera/plain_camera.hpp"
+#include "camera/plain_vectors.hpp"
 #include "camera/read_lens.hpp"
 #include "camera/read_pose.hpp"
 #include "camera/sea_level.hpp"

@@ -10,6 +10,7 @@
 #include "formats/format.hpp"
 #include "formats/value.hpp"
 #include "text/error.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {

@@ -9,6 +9,7 @@
 #include "camera/read_pose.hpp"
 #include "formats/poses.hpp"
 #include "formats/tree.hpp"
+#include "formats/value.hpp"
 #include "text/file.hpp"
 #include "text/utf8.hpp"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/format.hpp"
+#include "formats/value.hpp"
 #include "formats/writer.hpp"
 #include "numbers/degrees.hpp"
 #include "numbers/vectors.hpp"
