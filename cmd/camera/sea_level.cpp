@@ -59,7 +59,7 @@ bool earthHides(const Vec3& eye, const Vec4& p) {
   const auto shrunk = [&](const Vec3& v) { return Vec3{v.x / a, v.y / a, v.z / b}; };
   const Vec3 start = shrunk(eye), way = isDirection ? shrunk(to) : sum(shrunk(to), -1, start);
   const double nearest =
-      std::clamp(-detail::dot(start, way) / detail::dot(way, way), 0.0, isDirection ? kInfinity : 1.0);
+      std::clamp(-detail::dot(start, way) / detail::dot(way, way), 0.0, isDirection ? detail::kInfinity : 1.0);
   return length(sum(start, nearest, way)) < 1;
 }
 

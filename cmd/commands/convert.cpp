@@ -1,4 +1,5 @@
 // viewproj convert: cameras as files of other programs, or as ours.
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
