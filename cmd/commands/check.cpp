@@ -8,6 +8,9 @@
 #include "commands/check/words.hpp"
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
+#include "formats/colmap.hpp"
+#include "formats/observations.hpp"
+#include "formats/open.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -107,21 +110,23 @@ int runCheck(const CheckOptions& o) {
   o.stream.reads(setup);
   const auto set = o.camera.readAll();
   const CameraSet& cameras = *set.first;
-  const std::string forSeveral = "; --camera-by FIELD names each pair's (convert --to observations writes such pairs)";
+  // A model of COLMAP holds pairs, of pictures that have names.
+  const bool areOfModel = colmapModel(setup.file).has_value();
+  if (areOfModel && o.cameraBy)
+    throw UsageError("--camera-by is of records; the observations of " + shownName(setup.file) +
+                     " name their pictures");
+  const std::string forSeveral =
+      "; --camera-by FIELD names each pair's; a FILE that is a model of COLMAP has its own pairs";
   const std::vector<std::size_t> picked = cameras.chooseAll(set.second);
-  const std::size_t chosen = o.cameraBy ? picked.front() : cameras.choose(set.second, forSeveral);
+  const bool areOfSeveral = o.cameraBy || areOfModel;
+  const std::size_t chosen = areOfSeveral ? picked.front() : cameras.choose(set.second, forSeveral);
   const CameraFile file = o.camera.readOne(cameras, chosen);
   std::vector<bool> isPicked(cameras.size());
   for (const std::size_t which : picked) isPicked[which] = true;
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  mistakes::PairReport all = o.cameraBy ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);
-  const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
-    const Vec4 point = toPoint(plan, numbers);
-    const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
-    if (!o.cameraBy) return all.add(point, pixel, line);
-    const std::size_t field = cameraFieldOf(*o.cameraBy, record);
-    const std::size_t which = cameraNamed(cameras, isPicked, record, field, cameraNameAt(record, field));
+  mistakes::PairReport all = areOfSeveral ? mistakes::PairReport(o.within) : mistakes::PairReport(file, o.within);
+  const auto addOf = [&](const Vec4& point, const std::optional<Vec2>& pixel, std::size_t line, std::size_t which) {
     all.add(point, pixel, line, which, [&] {
       CameraFile each = o.camera.readOne(cameras, which);
       if (each.worldIsEcef != file.worldIsEcef)
@@ -129,7 +134,30 @@ int runCheck(const CheckOptions& o) {
       return std::pair(cameras.pickOf(which), std::move(each));
     });
   };
-  const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
+  const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
+    const Vec4 point = toPoint(plan, numbers);
+    const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
+    if (!o.cameraBy) return all.add(point, pixel, line);
+    const std::size_t field = cameraFieldOf(*o.cameraBy, record);
+    addOf(point, pixel, line, cameraNamed(cameras, isPicked, record, field, cameraNameAt(record, field)));
+  };
+  const auto addObservations = [&] {
+    const std::unique_ptr<CameraSet> own = openCameras(setup.file, {.option = "FILE"}, {});
+    std::size_t line = 0;  // as convert --to observations writes them
+    const std::string told = eachObservation(setup.file, [&](const Observation& seen) {
+      ++line;
+      const std::string& name = own->nameOf(seen.camera);
+      const auto which = cameras.find(name);
+      if (!which) throw InputError(cameras.name() + ": has no camera " + inQuotes(name) + " of " + setup.file);
+      const auto& [x, y, z] = seen.position;
+      if (isPicked[*which]) addOf({x, y, z, 1}, seen.pixel, line, *which);
+    });
+    if (!told.empty()) note(told);
+    return 0;
+  };
+  const int status =
+      areOfModel ? addObservations()
+                 : readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
   if (all.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
   const auto others = [&] {
     constexpr std::size_t kMost = 100;
@@ -144,7 +172,7 @@ int runCheck(const CheckOptions& o) {
     }
     return list;
   };
-  const OrderedJson report = o.cameraBy ? all.report() : all.report(others);
+  const OrderedJson report = areOfSeveral ? all.report() : all.report(others);
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }
@@ -174,7 +202,7 @@ Action declareCheck(CLI::App& app) {
            "Largest distance that still agrees (default: 0.1)");
   addValue(app, "--camera-by", "FIELD", o->cameraBy, readText, "The field that names a record's camera of -c");
   o->report.add(app, 6);
-  o->stream.addInput(app, "pairs of a point and a pixel");
+  o->stream.addInput(app, "pairs of a point and a pixel, or a COLMAP model");
   o->camera.add(app);
   return [o] { return runCheck(*o); };
 }
