@@ -277,9 +277,13 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
 }
 
 void CameraSet::failPick(const std::string& pick) const {
-  const std::string others = otherWorlds();
+  const std::string others = otherWorlds(), longer = "*" + pick;
+  const auto fitting = std::count_if(import_.cameras.begin(), import_.cameras.end(), [&](const CameraEntry& camera) {
+    return pick.find('*') != std::string::npos && fitsPattern(camera.name, longer);
+  });
   throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(pick) + "; it has " + picksOf(all()) +
                    (areNumbered_ && isWhole(pick) ? "; its names are numbers: ##0 is the first in the file" : "") +
+                   (fitting > 0 ? "; " + inQuotes("#" + longer) + " fits " + std::to_string(fitting) : "") +
                    (others.empty() ? "" : "; " + others));
 }
 

@@ -292,7 +292,10 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (!given.empty())
     told += (told.empty() ? form : "; it") + " is given " + joined(std::vector(given.begin(), given.end())) +
             ", which moves no pixel";
-  if (moved != 0)
+  if (moved != 0 && lacks(kPixels))
+    told += (told.empty() ? form : "; it") + " has no pixels: where it is read again, the first one's centre is at " +
+            (lacks(kFirstAtZero) ? "0.5" : "0");
+  else if (moved != 0)
     told += (told.empty() ? form : "; it") + " counts the centre of the first pixel as " +
             (lacks(kFirstAtZero) ? "0.5" : "0") + ": cx, cy and pixels are " + formatNumber(std::fabs(moved)) +
             (moved > 0 ? " larger" : " smaller");
