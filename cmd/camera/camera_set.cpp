@@ -362,11 +362,13 @@ void CameraSet::noteCounting(Document& document) const {
     if (!place || patched("projection." + axis)) return std::string();
     const auto counted = hasPixels ? std::optional((*pixels)[i].get<double>()) : shown;
     const bool turns = isTurned && i == 1;
-    const double to = number(corner).value_or(0) - stated(corner, 0);
-    if (centred == 0 && to == 0 && !turns) return std::string();
-    if (!counted && (turns || to != 0)) return " --" + axis + " " + (turns ? "from the other edge" : "in its pixels");
-    const double moved = centred + (to == 0 ? 0 : to * *counted / shown.value_or(*counted));
-    return " --" + axis + " " + formatNumber((turns ? *counted - 1 + 2 * first - *place : *place) + moved);
+    const double from = stated(corner, 0), to = number(corner).value_or(0);
+    if (centred == 0 && to == from && !turns) return std::string();
+    if (!counted && (turns || to != from))
+      return " --" + axis + " " + (turns ? "from the other edge" : "in its pixels");
+    const double scale = counted ? *counted / shown.value_or(*counted) : 1, within = *place - from * scale;
+    return " --" + axis + " " +
+           formatNumber((turns ? *counted - 1 + 2 * first - within : within) + to * scale + centred);
   };
   const std::string kept =
       keep("cx", "viewport.x", "viewport.width", 0) + keep("cy", "viewport.y", "viewport.height", 1);
@@ -374,8 +376,10 @@ void CameraSet::noteCounting(Document& document) const {
   std::string labels;
   for (const char* path : kCounting)
     if (const Patch* const patch = patched(path)) labels += (labels.empty() ? "" : ", ") + patch->label;
-  document.notes.push_back(name_ + ": " + labels + ": its cx and cy stay, and so its picture moves;" + kept +
-                           " beside it counts pixels so and moves nothing");
+  document.notes.push_back(name_ + ": " + labels +
+                           (size() > 1 ? ": cx and cy of its cameras stay, and so their pictures move"
+                                       : ": its cx and cy stay, and so its picture moves;" + kept +
+                                             " beside it counts pixels so and moves nothing"));
 }
 
 Document CameraSet::document(std::size_t which) const {

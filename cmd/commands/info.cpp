@@ -296,7 +296,7 @@ OrderedJson eyesOf(const OrderedJson& rows) {
       high[i] = std::max(high[i], eye[i]);
     }
   if (low == high) return nullptr;
-  OrderedJson all{{"mean", asJson(mean)}, {"min", asJson(low)}, {"max", asJson(high)}};
+  OrderedJson all{{"count", eyes.size()}, {"mean", asJson(mean)}, {"min", asJson(low)}, {"max", asJson(high)}};
   if (eyes.size() == 2) all["distance"] = apart(eyes[0], eyes[1]);
   return all;
 }

@@ -186,7 +186,11 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t whi
     const auto& [file, cameras, field, isOfCamera, isOwn, lacksAxes, isPicked, notes] = factor;
     const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
     if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
-    poses.push_back(isOfCamera ? poseIn(camera, *file, pose, lacksAxes, field) : pose[field]);
+    const Json turned = isOfCamera ? poseIn(camera, *file, pose, lacksAxes, field) : pose[field];
+    if (turned.is_array() && turned.front().is_object())  // itself a chain, as a link of a URDF is
+      poses.insert(poses.end(), turned.begin(), turned.end());
+    else
+      poses.push_back(turned);
     if (isOfCamera && &factor == &outermost) north = Stand(Document{file->name, std::make_shared<Json>(pose)}).north;
   }
   camera[direction] = poses.size() == 1 ? poses.front() : poses;
