@@ -317,10 +317,7 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
   const Vec3 up = convention_->up;
   if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
     note("the options are read in " + name + "'s world: " + hand(world) + ", up " + formatNumber(up.x) + "," +
-         formatNumber(up.y) + "," + formatNumber(up.z) + "; --read-as opengl reads them in OpenGL's" +
-         (name == "unity" && file.viewport && file.viewport->origin == Origin::topLeft
-              ? "; its pixels count from the bottom: --set viewport.origin=bottom-left"
-              : ""));
+         formatNumber(up.y) + "," + formatNumber(up.z) + "; --read-as opengl reads them in OpenGL's");
 }
 
 }  // namespace viewproj::cmd

@@ -143,14 +143,13 @@ int runCheck(const CheckOptions& o) {
   };
   const auto addObservations = [&] {
     const std::unique_ptr<CameraSet> own = openCameras(setup.file, {.option = "FILE"}, {});
-    std::size_t line = 0;  // as convert --to observations writes them
+    std::size_t line = 0;  // as convert --to observations writes those that are picked
     const std::string told = eachObservation(setup.file, [&](const Observation& seen) {
-      ++line;
       const std::string& name = own->nameOf(seen.camera);
       const auto which = cameras.find(name);
       if (!which) throw InputError(cameras.name() + ": has no camera " + inQuotes(name) + " of " + setup.file);
       const auto& [x, y, z] = seen.position;
-      if (isPicked[*which]) addOf({x, y, z, 1}, seen.pixel, line, *which);
+      if (isPicked[*which]) addOf({x, y, z, 1}, seen.pixel, ++line, *which);
     });
     if (!told.empty()) note(told);
     return 0;

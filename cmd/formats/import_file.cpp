@@ -171,9 +171,8 @@ bool hasPosesAlone(std::string_view text) {
 }
 
 /// The likeliest line of parts that has a lens, with what it leaves open; or empty.
-std::string lineOf(const Document& file) {
+std::string lineOf(const Proposal& proposal) {
   constexpr std::size_t kMostNames = 6;
-  const Proposal proposal = proposeParts(file);
   const auto line = std::find_if(proposal.lines.begin(), proposal.lines.end(),
                                  [](const ProposedLine& proposed) { return proposed.hasLens; });
   if (line == proposal.lines.end()) return "";
@@ -183,7 +182,7 @@ std::string lineOf(const Document& file) {
 }
 
 [[noreturn]] void failUnknown(const Document& file) {
-  std::string line = lineOf(file);
+  std::string line = lineOf(proposeParts(file));
   if (file.isPlainText && file.text && hasPosesAlone(*file.text))
     line +=
         "; as a pose it is for --camera-from-world FILE, of a view, or --world-from-camera FILE, with --set "
@@ -193,9 +192,12 @@ std::string lineOf(const Document& file) {
                     file);
 }
 
-/// Whether info has more to say of a text than what is wrong with it.
-bool holdsParts(const Document& file) {
-  return !proposeParts(file).lines.empty() || (file.text && !findMatrices(*file.text).matrices.empty());
+/// Of a text that began like a tree: what is wrong with it as that, and what it has as a text.
+[[noreturn]] void failFaulty(const Document& file) {
+  const Proposal proposal = proposeParts(file);
+  const bool hasMore = !proposal.lines.empty() || (file.text && !findMatrices(*file.text).matrices.empty());
+  throw UnknownFile(file.fault + lineOf(proposal) + (hasMore ? "; viewproj info FILE tells what it has as text" : ""),
+                    file);
 }
 
 /// A pose of ours beside members that are not may be another program's. Where most are not, it is; else the reader's
@@ -257,10 +259,7 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     requireOwnMembers(*file);
     return openCameraDocument(*file);
   }
-  if (!file->fault.empty())
-    throw UnknownFile(
-        file->fault + lineOf(*file) + (holdsParts(*file) ? "; viewproj info FILE tells what it has as text" : ""),
-        *file);
+  if (!file->fault.empty()) failFaulty(*file);
   failUnknown(*file);
 }
 

@@ -187,7 +187,7 @@ Json atPose(Json camera, const std::vector<PoseFactor>& factors, std::size_t whi
     const Json pose = cameras[cameras.size() == 1 ? 0 : isOwn ? which : number].document();
     if (!isOfCamera && !pose.contains(field)) throw InputError(file->name + ": has no pose that says " + field);
     const Json turned = isOfCamera ? poseIn(camera, *file, pose, lacksAxes, field) : pose[field];
-    if (turned.is_array() && turned.front().is_object())  // itself a chain, as a link of a URDF is
+    if (turned.is_array() && !turned.empty() && turned.front().is_object())  // itself a chain, as a link of a URDF is
       poses.insert(poses.end(), turned.begin(), turned.end());
     else
       poses.push_back(turned);

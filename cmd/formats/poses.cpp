@@ -290,16 +290,16 @@ std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::s
   for (const WrittenCamera& camera : cameras)
     if (const auto time = timeIn(camera)) timed.push_back({*time, &camera});
   std::string text = "# timestamp tx ty tz qx qy qz qw\n", told;
-  if (timed.size() < cameras.size()) {
-    const bool areNamed =
-        std::any_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) { return !camera.name.empty(); });
+  std::size_t next = 0;
+  const bool areTimes = timed.size() == cameras.size();
+  if (!areTimes ||
+      std::all_of(timed.begin(), timed.end(), [&](const Timed& each) { return each.time == std::to_string(next++); })) {
+    const bool areNamed = !areTimes && std::any_of(cameras.begin(), cameras.end(),
+                                                   [](const WrittenCamera& camera) { return !camera.name.empty(); });
     told = std::string(areNamed ? "names are no times" : "there are no times") + ": 0, 1, 2 \u2026 are written";
     timed.clear();
     for (const WrittenCamera& camera : cameras) timed.push_back({camera.number, &camera});
   }
-  const auto isPlace = [&](std::size_t i) { return timed[i].time == std::to_string(i); };
-  for (std::size_t i = 0; told.empty() && isPlace(i); ++i)
-    if (i + 1 == timed.size()) told = "there are no times: 0, 1, 2 \u2026 are written";
   makeSeconds(timed);
   std::stable_sort(timed.begin(), timed.end(), [](const Timed& a, const Timed& b) {
     return a.seconds != b.seconds ? a.seconds < b.seconds : a.time < b.time;
